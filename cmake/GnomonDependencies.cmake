@@ -31,13 +31,14 @@ find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(Imath REQUIRED)
 find_package(PNG REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 
 # OpenSubdiv's own package file names a static library that Debian does not ship.
 gnomon_find(OpenSubdiv opensubdiv/bfr/refinerSurfaceFactory.h osdCPU)
+# Imath's and tl::expected's package files name files that only other Debian packages ship.
+gnomon_find(Imath Imath/ImathVec.h Imath-3_1)
 gnomon_find(OpenVDB openvdb/openvdb.h openvdb)
 gnomon_find(Embree embree3/rtcore.h embree3)
 gnomon_find(TinyObjLoader tiny_obj_loader.h tinyobjloader_double)
@@ -46,7 +47,7 @@ gnomon_find_header(Expected tl/expected.hpp)
 gnomon_find_header(Boost boost/multiprecision/cpp_int.hpp)
 gnomon_find(RapidCheck rapidcheck.h rapidcheck)
 
-target_link_libraries(gnomon_dep_OpenVDB INTERFACE TBB::tbb Imath::Imath)
+target_link_libraries(gnomon_dep_OpenVDB INTERFACE TBB::tbb gnomon::dep::Imath)
 target_compile_definitions(gnomon_dep_TinyObjLoader INTERFACE TINYOBJLOADER_USE_DOUBLE)
 
 find_program(VERILATOR_PROGRAM verilator)
