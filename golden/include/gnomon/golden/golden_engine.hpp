@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The definition of what the hardware answers: integer arithmetic from docs/vpu.md, one command after the other.
+#pragma once
+
+#include <memory>
+
+#include <gnomon/golden/engine.hpp>
+
+namespace gnomon::golden {
+
+/// `config` must pass check(); throws std::invalid_argument otherwise.
+std::unique_ptr<Engine> make_golden_engine(const HardwareConfig& config);
+
+}  // namespace gnomon::golden
