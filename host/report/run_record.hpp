@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that is known about one run once it is over: what metrics.json and the report are made of.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <gnomon/golden/config.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/scene/mesh_topology.hpp"
+#include "host/voxel/voxel_set.hpp"
+
+namespace gnomon::report {
+
+/// One resolved parameter: what was used, and who said so.
+struct ParameterValue {
+  std::string key;
+  nlohmann::ordered_json value;
+  std::string unit;    ///< empty where it has none
+  std::string origin;  ///< "default", "scene.toml", "--set", ...
+  std::string help;    ///< one line
+};
+
+struct DirectionalLight {
+  Vec3 direction;  ///< the way the light travels, world coordinates, unit length
+};
+struct PointLight {
+  Vec3 position;  ///< world coordinates
+};
+using Light = std::variant<DirectionalLight, PointLight>;
+
+/// One object of the scene: its control cage and what became of it.
+struct ObjectRecord {
+  std::string name;
+  bool ground = false;     ///< a receiver added or marked as the ground
+  bool two_sided = false;  ///< open surface: resolved with both sides facing
+  scene::MeshStatistics statistics;
+};
+
+/// Where the engine under test first answered something else than golden.
+struct Difference {
+  std::uint64_t word = 0;     ///< index in the result stream
+  std::uint64_t command = 0;  ///< index of the command that the word answers
+  std::string expected;       ///< golden's word, decoded
+  std::string actual;         ///< the other engine's word, decoded
+  std::string
+      text;  ///< the whole difference in words, several lines: command, cycle, fields, how to reproduce
+};
+
+/// Result words and counters compared with golden. `words` is 0 where one engine ran alone.
+struct CompareRecord {
+  std::uint64_t words = 0;
+  std::uint64_t differing = 0;  ///< words, and counters and words that only one engine has
+  std::optional<Difference> first;
+};
+
+/// Answers against the exact reference. `samples` is the number of voxels they were counted over.
+struct MislabelCounts {
+  std::uint64_t samples = 0;
+  std::uint64_t false_shadow = 0;  ///< said shadow, exact says lit
+  std::uint64_t false_lit = 0;     ///< said lit, exact says shadow
+};
+
+/// One method's error against the exact reference.
+struct ErrorRecord {
+  MislabelCounts all, all_ground, all_models;
+  MislabelCounts unambiguous, unambiguous_ground, unambiguous_models;
+  std::optional<double>
+      boundary_displacement;  ///< mean, plane entries; absent where no shadow boundary was found
+};
+
+/// The three answers: as built, in double precision, and what the first lost against the second.
+struct ErrorsRecord {
+  ErrorRecord fixed, in_double;
+  std::uint64_t quantised_differing = 0;              ///< voxels where fixed and double disagree
+  std::uint64_t quantised_differing_unambiguous = 0;  ///< of these, unambiguous ones
+};
+
+/// Cycles of one pass by cause, both by their names in docs/command-stream.md.
+struct PassCycles {
+  std::string pass;
+  std::map<std::string, std::uint64_t> causes;
+};
+
+/// One stage of the host, in the order in which they ran.
+struct StageTime {
+  std::string name;
+  double wall_seconds = 0;
+  double user_seconds = 0;  ///< user CPU time of the whole process, all threads
+};
+
+/// How the plane was used, after the projection pass.
+struct PlaneRecord {
+  std::uint32_t side = 0;  ///< entries
+  std::uint64_t entries_hit = 0;
+  double pitch = 1;  ///< voxels per entry
+};
+
+/// A register as it was programmed.
+struct RegisterRecord {
+  std::string name;
+  std::int64_t value = 0;
+  int width = 0;  ///< bits, sign included
+  bool is_signed = false;
+  int frac_bits = 0;
+};
+
+struct RunRecord {
+  std::string scene_name;
+  std::string scene_source;  ///< the file, as given
+  std::vector<std::string> command_line;
+  std::vector<std::pair<std::string, std::string>> versions;  ///< tool, version
+  std::string engine;                                         ///< the engine whose answers are shown
+  std::string technique;
+  std::uint64_t seed = 0;
+  std::vector<ParameterValue> parameters;
+  double clock_mhz = 100;
+
+  voxel::Grid grid;
+  std::vector<Light> lights;
+  std::vector<ObjectRecord> objects;
+  std::vector<std::string> warnings;  ///< what reading the models ignored or repaired
+  voxel::VoxelStatistics voxel_statistics;
+  std::uint64_t voxels = 0;
+
+  golden::HardwareConfig hardware;
+  std::vector<RegisterRecord> registers;
+  std::uint64_t command_words = 0;
+  PlaneRecord plane;
+
+  CompareRecord compare;
+  std::map<std::string, std::uint64_t> events;  ///< event counters of docs/command-stream.md
+  std::vector<PassCycles> cycles;               ///< empty where the engine has no cycles
+  ErrorsRecord errors;
+  std::vector<StageTime> stages;
+};
+
+}  // namespace gnomon::report
