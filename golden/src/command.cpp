@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// The error rules of docs/command-stream.md.
+#include <gnomon/golden/command.hpp>
+
+namespace gnomon::golden {
+namespace {
+
+/// Flag bits with a meaning; nothing where the op does not exist.
+std::optional<std::uint8_t> known_flags(std::uint8_t op) {
+  switch (static_cast<Op>(op)) {
+    case Op::Fence:
+      return kFenceClearSticky;
+    case Op::ResolveVoxels:
+      return kResolveTwoSided;
+    case Op::Nop:
+    case Op::SetRegisters:
+    case Op::ClearPlane:
+    case Op::ReadPlane:
+    case Op::ProjectVoxels:
+      return std::uint8_t{0};
+  }
+  return std::nullopt;
+}
+
+bool bad_argument(const Header& header, const HardwareConfig& config) {
+  switch (static_cast<Op>(header.op)) {
+    case Op::ClearPlane:
+    case Op::Fence:
+      return header.count != 0;
+    case Op::ReadPlane: {
+      const PlaneRange range = decode_plane_range(header.arg);
+      const std::uint32_t entries = std::uint32_t{1} << (2 * config.plane_log2);
+      return header.count != 0 || range.first + range.count > entries;
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::optional<ErrorCode> header_error(const Header& header, const HardwareConfig& config) {
+  const auto flags = known_flags(header.op);
+  if (!flags) return ErrorCode::UnknownOp;
+  if ((header.flags & ~*flags) != 0) return ErrorCode::ReservedFlag;
+  const Op op = static_cast<Op>(header.op);
+  if (op == Op::ResolveVoxels && !config.en_vpu_offset) return ErrorCode::FeatureAbsent;
+  const std::uint64_t register_end = std::uint64_t{header.arg} + header.count;
+  if (op == Op::SetRegisters && register_end > kRegisterCount) return ErrorCode::BadRegister;
+  if (bad_argument(header, config)) return ErrorCode::BadArgument;
+  return std::nullopt;
+}
+
+std::uint32_t result_count(const Header& header, const HardwareConfig& config) {
+  if (header_error(header, config)) return 1;
+  switch (static_cast<Op>(header.op)) {
+    case Op::Fence:
+      return 1;
+    case Op::ReadPlane:
+      return decode_plane_range(header.arg).count;
+    case Op::ResolveVoxels:
+      return header.count;
+    default:
+      return 0;
+  }
+}
+
+std::uint32_t encode(const PlaneRange& range) {
+  return ((range.count - 1) & 0xFF) << 24 | (range.first & 0xFFFFFF);
+}
+
+PlaneRange decode_plane_range(std::uint32_t arg) {
+  return {.first = arg & 0xFFFFFF, .count = (arg >> 24) + 1};
+}
+
+}  // namespace gnomon::golden

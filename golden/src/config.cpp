@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The legality rules of docs/vpu.md, in the one place where C++ holds them.
+#include <gnomon/golden/config.hpp>
+
+namespace gnomon::golden {
+namespace {
+
+struct Range {
+  const char* name;
+  int value, low, high;
+};
+
+std::string out_of_range(const Range& range) {
+  return std::string(range.name) + "=" + std::to_string(range.value) + " is out of range " +
+         std::to_string(range.low) + ".." + std::to_string(range.high);
+}
+
+}  // namespace
+
+std::optional<std::string> HardwareConfig::check() const {
+  const Range ranges[] = {
+      {"VOXEL_BITS", voxel_bits, 4, 11},   {"VOXEL_FRAC_BITS", voxel_frac_bits, 0, 6},
+      {"NORMAL_BITS", normal_bits, 4, 12}, {"MATRIX_FRAC_BITS", matrix_frac_bits, 12, 28},
+      {"DEPTH_BITS", depth_bits, 8, 24},   {"PLANE_LOG2", plane_log2, 4, 12},
+  };
+  for (const Range& range : ranges) {
+    if (range.value < range.low || range.value > range.high) return out_of_range(range);
+  }
+  const int p = position_bits();
+  if (p > 16) {
+    return "VOXEL_BITS + VOXEL_FRAC_BITS = " + std::to_string(p) + " exceeds 16";
+  }
+  if (3 * (p + normal_bits) > 63) {
+    return "3 * (VOXEL_BITS + VOXEL_FRAC_BITS + NORMAL_BITS) = " + std::to_string(3 * (p + normal_bits)) +
+           " exceeds the 63 bits of a voxel item";
+  }
+  if (matrix_frac_bits < p + 2) {
+    return "MATRIX_FRAC_BITS=" + std::to_string(matrix_frac_bits) +
+           " is below VOXEL_BITS + VOXEL_FRAC_BITS + 2 = " + std::to_string(p + 2);
+  }
+  return std::nullopt;
+}
+
+}  // namespace gnomon::golden

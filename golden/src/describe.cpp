@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words as one line of text, for mismatch reports and logs.
+#include <cstdio>
+#include <gnomon/golden/codec.hpp>
+
+namespace gnomon::golden {
+namespace {
+
+std::string hex(Word value, int digits) {
+  char text[24];
+  std::snprintf(text, sizeof text, "0x%0*llX", digits, static_cast<unsigned long long>(value));
+  return text;
+}
+
+std::string depth_text(std::uint32_t depth) {
+  return depth == 0xFFFFFF ? "none" : std::to_string(depth);
+}
+
+std::string op_name(std::uint8_t op) {
+  switch (static_cast<Op>(op)) {
+    case Op::Nop:
+      return "NOP";
+    case Op::SetRegisters:
+      return "SET_REGISTERS";
+    case Op::ClearPlane:
+      return "CLEAR_PLANE";
+    case Op::Fence:
+      return "FENCE";
+    case Op::ReadPlane:
+      return "READ_PLANE";
+    case Op::ProjectVoxels:
+      return "PROJECT_VOXELS";
+    case Op::ResolveVoxels:
+      return "RESOLVE_VOXELS";
+  }
+  return "unknown op " + hex(op, 2);
+}
+
+std::string error_name(std::uint8_t error) {
+  switch (static_cast<ErrorCode>(error)) {
+    case ErrorCode::UnknownOp:
+      return "UNKNOWN_OP";
+    case ErrorCode::FeatureAbsent:
+      return "FEATURE_ABSENT";
+    case ErrorCode::BadRegister:
+      return "BAD_REGISTER";
+    case ErrorCode::BadArgument:
+      return "BAD_ARGUMENT";
+    case ErrorCode::ReservedFlag:
+      return "RESERVED_FLAG";
+  }
+  return "unknown error " + std::to_string(error);
+}
+
+std::string state_name(VoxelState state) {
+  switch (state) {
+    case VoxelState::Empty:
+      return "empty";
+    case VoxelState::Lit:
+      return "lit";
+    case VoxelState::Shadow:
+      return "shadow";
+  }
+  return "state 3";
+}
+
+std::string sticky_text(std::uint32_t sticky) {
+  std::string names;
+  const auto add = [&](std::uint32_t bit, const char* name) {
+    if ((sticky & bit) == 0) return;
+    if (!names.empty()) names += "|";
+    names += name;
+  };
+  add(kStickyErrorSeen, "ERROR_SEEN");
+  add(kStickyOffPlane, "OFF_PLANE");
+  add(kStickyDepthSaturated, "DEPTH_SATURATED");
+  const std::uint32_t unknown = sticky & ~(kStickyErrorSeen | kStickyOffPlane | kStickyDepthSaturated);
+  if (unknown != 0) add(unknown, hex(unknown, 6).c_str());
+  return names.empty() ? "none" : names;
+}
+
+std::string voxel_text(const VoxelResult& result) {
+  std::string text = "VOXEL_STATE " + state_name(result.state);
+  if (result.facing_away) text += " facing_away";
+  if (result.off_plane) text += " off_plane";
+  if (result.uncertain) text += " uncertain";
+  if (result.offset_empty) text += " offset_empty";
+  if (result.beyond_max) text += " beyond_max";
+  return text + " nearest=" + depth_text(result.nearest) + " delta=" + std::to_string(result.delta);
+}
+
+std::string plane_entry_text(const PlaneEntryResult& result) {
+  return "PLANE_ENTRY index=" + std::to_string(result.index) +
+         (result.present ? " depth=" + std::to_string(result.depth)
+                         : " empty" + (result.depth == 0 ? "" : " depth=" + std::to_string(result.depth)));
+}
+
+/// Only bits that must be zero tell these two words apart.
+std::string zero_bits_text(Word word, Word canonical) {
+  return word == canonical ? "" : " reserved=" + hex(word ^ canonical, 16);
+}
+
+}  // namespace
+
+std::string describe_result(Word word) {
+  switch (result_code(word)) {
+    case ResultCode::Fence: {
+      const FenceResult result = decode_fence_result(word);
+      return "FENCE tag=" + std::to_string(result.tag) + " sticky=" + sticky_text(result.sticky);
+    }
+    case ResultCode::PlaneEntry: {
+      const PlaneEntryResult result = decode_plane_entry_result(word);
+      return plane_entry_text(result) + zero_bits_text(word, encode(result));
+    }
+    case ResultCode::VoxelState: {
+      const VoxelResult result = decode_voxel_result(word);
+      return voxel_text(result) + zero_bits_text(word, encode(result));
+    }
+    case ResultCode::Error: {
+      const ErrorResult result = decode_error_result(word);
+      return "ERROR " + error_name(result.error) + " command=" + std::to_string(result.command_index) +
+             zero_bits_text(word, encode(result));
+    }
+  }
+  return "unknown result " + hex(word, 16);
+}
+
+std::string describe_header(Word word) {
+  const Header header = decode_header(word);
+  return op_name(header.op) + " flags=" + hex(header.flags, 2) + " count=" + std::to_string(header.count) +
+         " arg=" + hex(header.arg, 8);
+}
+
+}  // namespace gnomon::golden

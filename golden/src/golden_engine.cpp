@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command processor of docs/command-stream.md around the arithmetic of vpu.hpp.
+#include <algorithm>
+#include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/command.hpp>
+#include <gnomon/golden/golden_engine.hpp>
+#include <gnomon/golden/vpu.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "plane.hpp"
+
+namespace gnomon::golden {
+namespace {
+
+HardwareConfig checked(const HardwareConfig& config) {
+  if (const auto error = config.check()) throw std::invalid_argument(*error);
+  return config;
+}
+
+struct Events {
+  std::uint64_t commands = 0, errors = 0;
+  std::uint64_t projected = 0, project_off_plane = 0, project_saturated = 0, plane_writes = 0;
+  std::uint64_t resolved = 0, resolved_facing_away = 0, resolved_uncertain = 0, resolved_offset_empty = 0,
+                resolved_shadow = 0;
+};
+
+/// Everything that a reset brings back to its first value.
+struct State {
+  explicit State(const HardwareConfig& config)
+      : vpu(config),
+        plane(static_cast<std::size_t>(config.plane_side()) * static_cast<std::size_t>(config.plane_side())) {
+  }
+
+  Vpu vpu;
+  Plane plane;
+  Events events;
+  std::uint32_t sticky = 0;
+  Header command;             ///< the command in progress
+  bool ignore_items = false;  ///< it is a NOP or in error
+  std::uint32_t items_taken = 0;
+  std::vector<Word> results;
+
+  bool between_commands() const { return items_taken == command.count; }
+};
+
+class GoldenEngine final : public Engine {
+ public:
+  explicit GoldenEngine(const HardwareConfig& config) : config_(checked(config)), state_(config_) {}
+
+  std::string_view name() const override { return "golden"; }
+  const HardwareConfig& config() const override { return config_; }
+  void reset() override { state_ = State(config_); }
+
+  void submit(std::span<const Word> words) override;
+  void drain(const ResultSink& sink) override;
+  Counters counters() const override;
+  std::vector<std::uint32_t> read_plane() override;
+
+ private:
+  void take_header(Word word);
+  void take_items(std::span<const Word> items);
+  void fence(const Header& header);
+  void read_entries(const Header& header);
+  void set_registers(std::span<const Word> values);
+  void project(std::span<const Word> items);
+  void resolve(std::span<const Word> items, bool two_sided);
+  VoxelResult resolve(const VoxelItem& item, bool two_sided);
+
+  HardwareConfig config_;
+  State state_;
+};
+
+void GoldenEngine::submit(std::span<const Word> words) {
+  while (!words.empty()) {
+    if (state_.between_commands()) {
+      take_header(words.front());
+      words = words.subspan(1);
+      continue;
+    }
+    const std::size_t missing = state_.command.count - state_.items_taken;
+    const auto items = words.first(std::min(missing, words.size()));
+    take_items(items);
+    state_.items_taken += static_cast<std::uint32_t>(items.size());
+    words = words.subspan(items.size());
+  }
+}
+
+void GoldenEngine::drain(const ResultSink& sink) {
+  const std::vector<Word> results = std::exchange(state_.results, {});
+  if (!results.empty()) sink(results);
+}
+
+void GoldenEngine::take_header(Word word) {
+  const Header header = decode_header(word);
+  const auto index = static_cast<std::uint32_t>(state_.events.commands);  // modulo 2^32
+  state_.command = header;
+  state_.items_taken = 0;
+  ++state_.events.commands;
+  const auto error = header_error(header, config_);
+  state_.ignore_items = error.has_value();
+  if (error) {
+    ++state_.events.errors;
+    state_.sticky |= kStickyErrorSeen;
+    state_.results.push_back(encode(ErrorResult{static_cast<std::uint8_t>(*error), index}));
+    return;
+  }
+  switch (static_cast<Op>(header.op)) {
+    case Op::ClearPlane:
+      state_.plane.clear();
+      break;
+    case Op::Fence:
+      fence(header);
+      break;
+    case Op::ReadPlane:
+      read_entries(header);
+      break;
+    default:
+      break;  // the items do the work
+  }
+}
+
+void GoldenEngine::take_items(std::span<const Word> items) {
+  if (state_.ignore_items) return;
+  const Header& header = state_.command;
+  switch (static_cast<Op>(header.op)) {
+    case Op::SetRegisters:
+      set_registers(items);
+      break;
+    case Op::ProjectVoxels:
+      project(items);
+      break;
+    case Op::ResolveVoxels:
+      resolve(items, (header.flags & kResolveTwoSided) != 0);
+      break;
+    default:
+      break;  // the items of a NOP
+  }
+}
+
+void GoldenEngine::fence(const Header& header) {
+  state_.results.push_back(encode(FenceResult{.sticky = state_.sticky, .tag = header.arg}));
+  if ((header.flags & kFenceClearSticky) != 0) state_.sticky = 0;
+}
+
+void GoldenEngine::read_entries(const Header& header) {
+  const PlaneRange range = decode_plane_range(header.arg);
+  for (std::uint32_t index = range.first; index < range.first + range.count; ++index) {
+    const bool present = state_.plane.present(index);
+    state_.results.push_back(
+        encode(PlaneEntryResult{index, present, present ? state_.plane.depth(index) : 0}));
+  }
+}
+
+void GoldenEngine::set_registers(std::span<const Word> values) {
+  std::uint32_t index = state_.command.arg + state_.items_taken;
+  for (const Word value : values) state_.vpu.set(static_cast<Register>(index++), value);
+}
+
+void GoldenEngine::project(std::span<const Word> items) {
+  std::uint64_t off_plane = 0, saturated = 0, writes = 0;
+  for (const Word word : items) {
+    const PlanePoint point = state_.vpu.land(state_.vpu.accumulate(decode_voxel(word, config_)));
+    if (!point.on_plane) {
+      ++off_plane;
+      continue;
+    }
+    saturated += point.saturated;
+    writes += state_.plane.keep_nearest(state_.vpu.index(point), point.depth);
+  }
+  if (off_plane != 0) state_.sticky |= kStickyOffPlane;
+  if (saturated != 0) state_.sticky |= kStickyDepthSaturated;
+  state_.events.projected += items.size();
+  state_.events.project_off_plane += off_plane;
+  state_.events.project_saturated += saturated;
+  state_.events.plane_writes += writes;
+}
+
+void GoldenEngine::resolve(std::span<const Word> items, bool two_sided) {
+  Events& events = state_.events;
+  for (const Word word : items) {
+    const VoxelResult result = resolve(decode_voxel(word, config_), two_sided);
+    events.resolved_facing_away += result.facing_away;
+    events.resolved_uncertain += result.uncertain;
+    events.resolved_offset_empty += result.offset_empty;
+    events.resolved_shadow += result.state == VoxelState::Shadow;
+    state_.results.push_back(encode(result));
+  }
+  events.resolved += items.size();
+}
+
+VoxelResult GoldenEngine::resolve(const VoxelItem& item, bool two_sided) {
+  const Vpu& vpu = state_.vpu;
+  const Plane& plane = state_.plane;
+  const Accumulators acc = vpu.accumulate(item);
+  const PlanePoint own = vpu.land(acc);
+  Gradient gradient = vpu.gradient(item);
+  if (two_sided && gradient.d > 0) gradient = {.u = -gradient.u, .v = -gradient.v, .d = -gradient.d};
+
+  VoxelResult result;
+  result.off_plane = !own.on_plane;
+  result.facing_away = gradient.d >= 0;
+  if (result.facing_away) {
+    result.state = VoxelState::Shadow;
+    return result;
+  }
+  if (!own.on_plane || !plane.present(vpu.index(own))) return result;
+  result.nearest = plane.depth(vpu.index(own));
+  result.uncertain = result.nearest < own.depth;
+  if (!result.uncertain) return result;
+
+  const PlanePoint moved = vpu.land_offset(acc, gradient);
+  result.offset_empty = !moved.on_plane || !plane.present(vpu.index(moved));
+  if (result.offset_empty) return result;
+  const std::uint32_t nearest = plane.depth(vpu.index(moved));
+  if (moved.depth <= nearest) return result;
+  result.delta = moved.depth - nearest;
+  result.beyond_max = result.delta > vpu.get(Register::DeltaMax);
+  const bool shadow = result.beyond_max || vpu.exceeds_margin(result.delta, gradient);
+  result.state = shadow ? VoxelState::Shadow : VoxelState::Lit;
+  return result;
+}
+
+Counters GoldenEngine::counters() const {
+  const Events& events = state_.events;
+  return {.events = {{"COMMANDS", events.commands},
+                     {"ERRORS", events.errors},
+                     {"VOXELS_PROJECTED", events.projected},
+                     {"PROJECT_OFF_PLANE", events.project_off_plane},
+                     {"PROJECT_SATURATED", events.project_saturated},
+                     {"PLANE_WRITES", events.plane_writes},
+                     {"VOXELS_RESOLVED", events.resolved},
+                     {"RESOLVED_FACING_AWAY", events.resolved_facing_away},
+                     {"RESOLVED_UNCERTAIN", events.resolved_uncertain},
+                     {"RESOLVED_OFFSET_EMPTY", events.resolved_offset_empty},
+                     {"RESOLVED_SHADOW", events.resolved_shadow}},
+          .cycles = {}};
+}
+
+std::vector<std::uint32_t> GoldenEngine::read_plane() {
+  const Plane& plane = state_.plane;
+  std::vector<std::uint32_t> depths(plane.size(), kEmpty);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (plane.present(i)) depths[i] = plane.depth(i);
+  }
+  return depths;
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> make_golden_engine(const HardwareConfig& config) {
+  return std::make_unique<GoldenEngine>(config);
+}
+
+}  // namespace gnomon::golden
