@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact shadows: rays against the limit surface, tessellated until it no longer matters
+// (docs/error-metrics.md).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "host/base/vec.hpp"
+#include "host/metrics/tessellation.hpp"
+#include "host/surface/limit_surface.hpp"
+
+namespace gnomon::metrics {
+
+/// A light infinitely far away.
+struct DirectionalLight {
+  Vec3 travel{0, 0, -1};  ///< the way the light travels, grid coordinates, any length but zero
+};
+
+/// The exact answer at a surface point.
+enum class Exact : std::uint8_t {
+  Lit,
+  Cast,      ///< faces the light, but something is in between
+  Attached,  ///< faces away from the light (closed surfaces only)
+};
+constexpr bool in_shadow(Exact answer) {
+  return answer != Exact::Lit;
+}
+
+/// A point on the limit surface of `object`, with its unit normal.
+struct SurfaceQuery {
+  Vec3 point, normal;
+  std::uint32_t object = 0;
+};
+
+/// Answers shadow queries for one light. Thread-safe.
+class ExactReference {
+ public:
+  /// `two_sided[object]` marks open surfaces, whose normal is turned to the light before anything else;
+  /// missing entries count as closed. Throws std::invalid_argument for a zero light.
+  ExactReference(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided,
+                 const DirectionalLight& light, const TessellationOptions& options = {});
+  ExactReference(ExactReference&&) noexcept;
+  ExactReference& operator=(ExactReference&&) noexcept;
+  ~ExactReference();
+
+  Exact classify(const SurfaceQuery& query) const;
+  bool occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const;
+  /// All queries, on all cores.
+  std::vector<Exact> classify(std::span<const SurfaceQuery> queries) const;
+
+  Vec3 to_light() const;  ///< unit vector
+  double sag() const;     ///< voxels
+  double lift() const;    ///< voxels by which a ray starts above the surface
+  std::size_t triangles() const;
+  std::uint64_t rays() const;  ///< cast so far
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gnomon::metrics

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the exact reference says about a voxelized scene: per voxel, per surface sample, and where the
+// shadows' borders run.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "host/metrics/exact_reference.hpp"
+#include "host/voxel/voxel_set.hpp"
+
+namespace gnomon::metrics {
+
+struct TruthOptions {
+  double spacing = 0.5;  ///< voxels: surface samples are no farther apart along either parameter
+  std::function<void(double done)> progress;  ///< called with 0..1, one call at a time; may be empty
+  std::function<bool()> cancelled;  ///< polled; true makes the work end early with Cancelled; may be empty
+};
+
+/// Thrown where TruthOptions::cancelled or render's counterpart returned true.
+struct Cancelled {};
+
+/// One sample: the centre of a small rectangle of parameter space.
+struct SurfaceSample {
+  float x, y, z;        ///< grid coordinates
+  float light_area;     ///< voxels^2: the rectangle's area projected along the light
+  std::uint32_t voxel;  ///< the set voxel whose state answers here: its own, else the nearest set neighbour;
+                        ///< kNoVoxel if none
+  std::uint16_t object;
+  Exact exact;
+};
+inline constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
+
+/// Length of the exact shadow's border, projected along the light, in voxels.
+struct BorderLength {
+  double cast = 0;      ///< between lit surface and shadow cast on it
+  double attached = 0;  ///< terminators: between lit surface and surface that faces away
+  double total() const { return cast + attached; }
+};
+
+struct ShadowTruth {
+  std::vector<Exact> voxels;  ///< at each voxel's representative point
+  std::vector<std::uint8_t>
+      unambiguous;  ///< 1 where all samples in the voxel's cell and its 26 neighbours agree
+  std::vector<SurfaceSample> samples;
+  std::vector<BorderLength> border;  ///< by object that receives the shadow
+  std::uint64_t rays = 0;
+  double seconds = 0;  ///< wall time
+  double sag = 0;      ///< voxels, of the reference used
+};
+
+/// `surfaces` must be the ones that `voxels` was made from (with representatives). Multithreaded,
+/// deterministic.
+ShadowTruth shadow_truth(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
+                         const voxel::VoxelSet& voxels, const TruthOptions& options = {});
+
+}  // namespace gnomon::metrics

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// From where a scene is looked at, and what its objects look like.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/base/vec.hpp"
+#include "host/metrics/exact_reference.hpp"
+#include "host/voxel/voxel_set.hpp"
+
+namespace gnomon::render {
+
+using Light = metrics::DirectionalLight;
+
+/// A pinhole camera, in grid coordinates.
+struct Camera {
+  Vec3 eye{0, 0, 1}, target{0, 0, 0}, up{0, 1, 0};
+  double fov_degrees = 35;  ///< vertical field of view, 0 < fov < 180
+};
+
+/// Colours are linear RGB, 0..1.
+struct Material {
+  std::array<float, 3> diffuse{0.6f, 0.6f, 0.6f};
+  float specular = 0.25f;
+  float shininess = 40;  ///< Blinn-Phong exponent
+};
+
+/// Light grey for `ground` (pass the object count or more for none), warm and well separated colours for the
+/// others.
+std::vector<Material> default_materials(std::uint32_t objects, std::uint32_t ground);
+
+/// A camera above and in front of `subject` that shows all of it with a margin at `aspect` = width / height.
+/// `up` is the scene's upward axis; the view comes from the light's side, turned aside so that shadows show.
+Camera fitting_camera(const Box3& subject, const Vec3& up, const Light& light, double aspect);
+
+}  // namespace gnomon::render
