@@ -5,10 +5,9 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
-
 #include <gnomon/golden/config.hpp>
 #include <gnomon/golden/engine.hpp>
+#include <string>
 
 namespace gnomon::golden {
 
@@ -35,17 +34,20 @@ struct Header {
 Word encode(const Header& header);
 Header decode_header(Word word);
 
+// One row of the matrix a line.
+// clang-format off
 enum class Register : std::uint8_t {
   MatrixUx, MatrixUy, MatrixUz, MatrixU1,
   MatrixVx, MatrixVy, MatrixVz, MatrixV1,
   MatrixDx, MatrixDy, MatrixDz, MatrixD1,
   OffsetFactor, FacingShift, TiltShift, DeltaShift, MarginSquared, DeltaMax,
 };
+// clang-format on
 inline constexpr int kRegisterCount = 18;
 /// Width and signedness of a register in this configuration.
 struct RegisterFormat {
   const char* name;
-  int width;       ///< bits, sign included
+  int width;  ///< bits, sign included
   bool is_signed;
   int frac_bits;
 };
@@ -57,13 +59,20 @@ struct VoxelItem {
   std::array<std::int32_t, 3> normal{};
   bool operator==(const VoxelItem&) const = default;
 };
+/// Fields are cut to their widths; what does not fit is the caller's mistake.
 Word encode(const VoxelItem& item, const HardwareConfig& config);
 VoxelItem decode_voxel(Word word, const HardwareConfig& config);
 
 enum class ResultCode : std::uint8_t { Fence = 0x03, PlaneEntry = 0x04, VoxelState = 0x11, Error = 0xFF };
 ResultCode result_code(Word word);
 
-enum class ErrorCode : std::uint8_t { UnknownOp = 1, FeatureAbsent = 2, BadRegister = 3, BadArgument = 4, ReservedFlag = 5 };
+enum class ErrorCode : std::uint8_t {
+  UnknownOp = 1,
+  FeatureAbsent = 2,
+  BadRegister = 3,
+  BadArgument = 4,
+  ReservedFlag = 5
+};
 
 inline constexpr std::uint32_t kStickyErrorSeen = 1;
 inline constexpr std::uint32_t kStickyOffPlane = 2;

@@ -19,7 +19,8 @@ struct HardwareConfig {
 
   bool operator==(const HardwareConfig&) const = default;
 
-  /// Nothing if the combination is legal; else one line naming the parameter, its value and the range or rule.
+  /// Nothing if the combination is legal; else one line naming the parameter, its value and the range or
+  /// rule.
   std::optional<std::string> check() const;
 
   int position_bits() const { return voxel_bits + voxel_frac_bits; }  ///< P

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every engine does: take command words, give result words. Nothing above this interface knows which engine runs.
+// What every engine does: take command words, give result words. Nothing above this interface knows which
+// engine runs.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <gnomon/golden/config.hpp>
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <gnomon/golden/config.hpp>
 
 namespace gnomon::golden {
 
@@ -19,15 +19,15 @@ using Word = std::uint64_t;
 /// Takes result words in command order.
 using ResultSink = std::function<void(std::span<const Word>)>;
 
-/// Named counters (docs/command-stream.md). Event counters are the same on all engines; cycle counters ("cycles.<pass>.<cause>")
-/// exist only where cycles do.
+/// Named counters (docs/command-stream.md). Event counters are the same on all engines; cycle counters
+/// ("cycles.<pass>.<cause>") exist only where cycles do.
 struct Counters {
   std::map<std::string, std::uint64_t> events;
   std::map<std::string, std::uint64_t> cycles;
 };
 
-/// An engine is built for one HardwareConfig. Words may be submitted in pieces of any size, also in the middle of a
-/// command; state persists from one submit to the next.
+/// An engine is built for one HardwareConfig. Words may be submitted in pieces of any size, also in the
+/// middle of a command; state persists from one submit to the next.
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -41,7 +41,8 @@ class Engine {
   virtual Counters counters() const = 0;
   /// As after power-up: registers 0, plane empty, counters 0, nothing pending.
   virtual void reset() = 0;
-  /// Depth codes of the whole plane, row-major (v * side + u), kEmpty where empty. Only between drain and submit.
+  /// Depth codes of the whole plane, row-major (v * side + u), kEmpty where empty. Only between drain and
+  /// submit.
   virtual std::vector<std::uint32_t> read_plane() = 0;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The definition of what the hardware answers: integer arithmetic from docs/vpu.md, one command after the other.
+// The definition of what the hardware answers: integer arithmetic from docs/vpu.md, one command after the
+// other.
 #pragma once
 
-#include <memory>
-
 #include <gnomon/golden/engine.hpp>
+#include <memory>
 
 namespace gnomon::golden {
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writing command streams, and walking through them (docs/command-stream.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <gnomon/golden/codec.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon::golden {
+
+/// Appends sound commands to a stream. Lists of more than kMaxItems items become several commands.
+class StreamWriter {
+ public:
+  /// `config` must be legal.
+  explicit StreamWriter(const HardwareConfig& config) : config_(config) {}
+
+  /// Throws std::out_of_range, naming the register, if `value` does not fit the register.
+  void set_register(Register reg, std::int64_t value);
+  /// One command for `values` of `first` and the registers after it. Throws std::out_of_range as above, or if
+  /// there are fewer registers; nothing is written then.
+  void set_registers(Register first, std::span<const std::int64_t> values);
+  void clear_plane();
+  /// `clear_sticky`: clear the sticky flags after reporting them.
+  void fence(std::uint32_t tag, bool clear_sticky);
+  /// Any number of entries, in commands of at most 256. Throws std::out_of_range beyond the plane.
+  void read_plane(std::uint32_t first, std::uint32_t count);
+  void project(std::span<const VoxelItem> items);
+  void resolve(std::span<const VoxelItem> items, bool two_sided);
+
+  const std::vector<Word>& words() const { return words_; }
+  /// Hands the stream over and starts an empty one.
+  std::vector<Word> take();
+
+ private:
+  void header(Op op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
+  void voxels(Op op, std::uint8_t flags, std::span<const VoxelItem> items);
+
+  HardwareConfig config_;
+  std::vector<Word> words_;
+};
+
+/// One command inside a stream.
+struct Command {
+  std::uint32_t index = 0;  ///< command index, from 0, modulo 2^32
+  std::size_t offset = 0;   ///< of the header, in words from the start of the stream
+  Header header;
+  std::span<const Word> items;  ///< fewer than header.count if the stream ends in the middle
+};
+
+/// Walks a stream: `CommandReader reader(words); while (auto command = reader.next()) ...`. `words` must
+/// outlive it.
+class CommandReader {
+ public:
+  explicit CommandReader(std::span<const Word> words) : words_(words) {}
+  /// Nothing at the end of the stream.
+  std::optional<Command> next();
+
+ private:
+  std::span<const Word> words_;
+  std::size_t offset_ = 0;
+  std::uint32_t index_ = 0;
+};
+
+/// Which command a result word answers.
+struct ResultOrigin {
+  Command command;
+  std::uint32_t result =
+      0;  ///< number of the word among the command's results; for RESOLVE_VOXELS the number of the item
+};
+
+/// The origin of result word `result` of a stream that starts at reset; nothing if the stream has fewer
+/// results.
+std::optional<ResultOrigin> find_result(std::span<const Word> words, std::uint64_t result,
+                                        const HardwareConfig& config);
+
+}  // namespace gnomon::golden

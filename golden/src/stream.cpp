@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Command streams, written and walked through.
+#include <algorithm>
+#include <gnomon/golden/command.hpp>
+#include <gnomon/golden/narrow.hpp>
+#include <gnomon/golden/stream.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace gnomon::golden {
+namespace {
+
+Word register_word(Register reg, std::int64_t value, const HardwareConfig& config) {
+  const RegisterFormat format = register_format(reg, config);
+  if (format.is_signed ? fits_signed(value, format.width) : fits_unsigned(value, format.width)) {
+    return low_bits(static_cast<Word>(value), format.width);
+  }
+  throw std::out_of_range(std::string(format.name) + "=" + std::to_string(value) + " does not fit " +
+                          std::to_string(format.width) + (format.is_signed ? " signed" : " unsigned") +
+                          " bits");
+}
+
+}  // namespace
+
+void StreamWriter::set_register(Register reg, std::int64_t value) {
+  set_registers(reg, {&value, 1});
+}
+
+void StreamWriter::set_registers(Register first, std::span<const std::int64_t> values) {
+  const auto start = static_cast<std::size_t>(first);
+  if (start + values.size() > kRegisterCount) {
+    throw std::out_of_range("register " + std::to_string(start) + " + " + std::to_string(values.size()) +
+                            " values is beyond the last register " + std::to_string(kRegisterCount - 1));
+  }
+  std::vector<Word> encoded;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    encoded.push_back(register_word(static_cast<Register>(start + i), values[i], config_));
+  }
+  header(Op::SetRegisters, 0, values.size(), static_cast<std::uint32_t>(start));
+  words_.insert(words_.end(), encoded.begin(), encoded.end());
+}
+
+void StreamWriter::clear_plane() {
+  header(Op::ClearPlane, 0, 0, 0);
+}
+
+void StreamWriter::fence(std::uint32_t tag, bool clear_sticky) {
+  header(Op::Fence, clear_sticky ? kFenceClearSticky : 0, 0, tag);
+}
+
+void StreamWriter::read_plane(std::uint32_t first, std::uint32_t count) {
+  const std::uint64_t entries = std::uint64_t{1} << (2 * config_.plane_log2);
+  if (std::uint64_t{first} + count > entries) {
+    throw std::out_of_range("plane entries " + std::to_string(first) + " + " + std::to_string(count) +
+                            " are beyond the plane's " + std::to_string(entries));
+  }
+  while (count > 0) {
+    const std::uint32_t n = std::min(count, std::uint32_t{256});
+    header(Op::ReadPlane, 0, 0, encode(PlaneRange{.first = first, .count = n}));
+    first += n;
+    count -= n;
+  }
+}
+
+void StreamWriter::project(std::span<const VoxelItem> items) {
+  voxels(Op::ProjectVoxels, 0, items);
+}
+
+void StreamWriter::resolve(std::span<const VoxelItem> items, bool two_sided) {
+  voxels(Op::ResolveVoxels, two_sided ? kResolveTwoSided : 0, items);
+}
+
+std::vector<Word> StreamWriter::take() {
+  return std::exchange(words_, {});
+}
+
+void StreamWriter::header(Op op, std::uint8_t flags, std::size_t count, std::uint32_t arg) {
+  words_.push_back(encode(Header{.op = static_cast<std::uint8_t>(op),
+                                 .flags = flags,
+                                 .count = static_cast<std::uint16_t>(count),
+                                 .arg = arg}));
+}
+
+void StreamWriter::voxels(Op op, std::uint8_t flags, std::span<const VoxelItem> items) {
+  while (!items.empty()) {
+    const auto part = items.first(std::min(items.size(), std::size_t{kMaxItems}));
+    header(op, flags, part.size(), 0);
+    for (const VoxelItem& item : part) words_.push_back(encode(item, config_));
+    items = items.subspan(part.size());
+  }
+}
+
+std::optional<Command> CommandReader::next() {
+  if (offset_ >= words_.size()) return std::nullopt;
+  const Header header = decode_header(words_[offset_]);
+  const auto rest = words_.subspan(offset_ + 1);
+  const Command command{.index = index_,
+                        .offset = offset_,
+                        .header = header,
+                        .items = rest.first(std::min(rest.size(), std::size_t{header.count}))};
+  ++index_;
+  offset_ += 1 + command.items.size();
+  return command;
+}
+
+std::optional<ResultOrigin> find_result(std::span<const Word> words, std::uint64_t result,
+                                        const HardwareConfig& config) {
+  CommandReader reader(words);
+  while (const auto command = reader.next()) {
+    const std::uint32_t count = result_count(command->header, config);
+    if (result < count) return ResultOrigin{*command, static_cast<std::uint32_t>(result)};
+    result -= count;
+  }
+  return std::nullopt;
+}
+
+}  // namespace gnomon::golden
