@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "host/base/result.hpp"
 #include "host/base/vec.hpp"
@@ -17,9 +19,9 @@ struct SurfacePoint {
   Vec3 du, dv;
 };
 
-/// The limit surface of one object. Every n-gon of the cage is n parametric faces ("ptex faces"), a quad is one; each
-/// is parametrised over [0,1]x[0,1]. A point on a border shared by two faces is identical to the bit whichever face is
-/// asked (docs/limit-surface.md says how). Thread-safe for concurrent evaluation.
+/// The limit surface of one object. Every n-gon of the cage is n parametric faces ("ptex faces"), a quad is
+/// one; each is parametrised over [0,1]x[0,1]. A point on a border shared by two faces is identical to the
+/// bit whichever face is asked (docs/limit-surface.md says how). Thread-safe for concurrent evaluation.
 class LimitSurface {
  public:
   /// Coordinates are transformed by `to_grid` in double before anything else is done with them.
@@ -36,8 +38,19 @@ class LimitSurface {
   SurfacePoint evaluate(std::uint32_t face, double u, double v) const;
   /// Unit normal, du x dv; where that vanishes (collapsed edges, valence 2) the parameter is nudged inwards.
   Vec3 normal(std::uint32_t face, double u, double v) const;
+  /// The same, and whether the parameter had to be nudged.
+  struct UnitNormal {
+    Vec3 direction;
+    bool nudged;
+  };
+  UnitNormal unit_normal(std::uint32_t face, double u, double v) const;
   /// Box that holds the whole surface (of control points), in grid coordinates.
   Box3 bounds() const;
+  /// What OpenSubdiv had to say about the cage, one entry a message.
+  const std::vector<std::string>& warnings() const;
+  /// Cage edges and vertices where OpenSubdiv gives the faces that meet different limits (non-manifold cages
+  /// only).
+  std::uint32_t torn_borders() const;
 
  private:
   struct Impl;

@@ -20,8 +20,8 @@ struct Grid {
   Adjacency adjacency = Adjacency::N26;
 };
 
-/// One set voxel. Its representative is the limit point with the smallest (object, face, u, v) key that fell into it, so
-/// it does not depend on the order in which threads or faces arrived.
+/// One set voxel. Its representative is the limit point with the smallest (object, face, u, v) key that fell
+/// into it, so it does not depend on the order in which threads or faces arrived.
 struct Voxel {
   std::uint16_t x, y, z;
   std::uint16_t object;  ///< the representative's object
@@ -31,8 +31,8 @@ struct Voxel {
   float normal[3];       ///< unit normal of the limit surface at the representative
 };
 
-/// A final subpatch of the recursion: a rectangle of one face's parameter space whose corners are adjacent voxels.
-/// Corners run (u0,v0), (u1,v0), (u1,v1), (u0,v1).
+/// A final subpatch of the recursion: a rectangle of one face's parameter space whose corners are adjacent
+/// voxels. Corners run (u0,v0), (u1,v0), (u1,v1), (u0,v1).
 struct Subpatch {
   std::uint32_t object, face;
   float u0, v0, u1, v1;
@@ -50,7 +50,8 @@ struct VoxelStatistics {
 
 struct VoxelSet {
   Grid grid;
-  std::vector<Voxel> voxels;         ///< unique; sorted by (object, face, v, u) of the representative: coherent on the surface
+  std::vector<Voxel>
+      voxels;  ///< unique; sorted by (object, face, v, u) of the representative: coherent on the surface
   std::vector<Subpatch> subpatches;  ///< empty unless asked for
   VoxelStatistics statistics;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Voxelization of limit surfaces by recursive midpoint subdivision of parameter space. Theory: docs/voxelization.md.
+// Voxelization of limit surfaces by recursive midpoint subdivision of parameter space. Theory:
+// docs/voxelization.md.
 #pragma once
 
 #include <functional>
@@ -12,14 +13,15 @@
 namespace gnomon::voxel {
 
 struct VoxelizerOptions {
-  bool representatives = true;  ///< fill point, normal, face, u, v of each voxel; off: coordinates alone, faster
-  bool subpatches = false;      ///< return the leaves
-  unsigned threads = 0;         ///< 0: all cores
+  bool representatives =
+      true;                 ///< fill point, normal, face, u, v of each voxel; off: coordinates alone, faster
+  bool subpatches = false;  ///< return the leaves
+  unsigned threads = 0;     ///< 0: all cores
   std::function<void(double done)> progress;  ///< called with 0..1 from one thread at a time; may be empty
 };
 
-/// `surfaces[i]` is object i, already in grid coordinates (one unit is one voxel, voxel (0,0,0) spans [0,1]^3).
-/// The result is the same for every thread count and every order of faces.
+/// `surfaces[i]` is object i, already in grid coordinates (one unit is one voxel, voxel (0,0,0) spans
+/// [0,1]^3). The result is the same for every thread count and every order of faces.
 Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const Grid& grid,
                           const VoxelizerOptions& options = {});
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts together the faces, the ownership of their borders and the public questions.
+#include "host/surface/limit_surface.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "host/surface/bfr_faces.hpp"
+#include "host/surface/borders.hpp"
+#include "host/surface/cage.hpp"
+
+namespace gnomon::surface {
+namespace {
+
+std::vector<ParametricFace> list_faces(const Cage& cage, const BfrFaces& bfr) {
+  std::vector<ParametricFace> faces;
+  for (int f = 0; f < cage.face_count(); ++f) {
+    if (!bfr.valid(f)) continue;
+    const int n = cage.sizes[static_cast<std::size_t>(f)];
+    if (n == 4) {
+      faces.push_back({f, -1});
+    } else {
+      for (int k = 0; k < n; ++k) faces.push_back({f, k});
+    }
+  }
+  return faces;
+}
+
+Box3 bound(const Cage& cage) {
+  Box3 box;
+  for (const int v : cage.indices) box.extendBy(cage.positions[static_cast<std::size_t>(v)]);
+  return box;
+}
+
+bool on_border(double u, double v) {
+  return u == 0 || u == 1 || v == 0 || v == 1;
+}
+
+}  // namespace
+
+struct LimitSurface::Impl {
+  explicit Impl(const Cage& cage)
+      : bfr(cage), faces(list_faces(cage, bfr)), borders(cage, bfr, faces), bounds(bound(cage)) {}
+
+  BfrFaces bfr;
+  std::vector<ParametricFace> faces;
+  Borders borders;
+  Box3 bounds;
+};
+
+LimitSurface::LimitSurface(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LimitSurface::LimitSurface(LimitSurface&&) noexcept = default;
+LimitSurface& LimitSurface::operator=(LimitSurface&&) noexcept = default;
+LimitSurface::~LimitSurface() = default;
+
+Result<LimitSurface> LimitSurface::build(const scene::ControlMesh& mesh, const Mat4& to_grid) {
+  const auto cage = make_cage(mesh, to_grid);
+  if (!cage) return tl::make_unexpected(cage.error());
+  auto impl = std::make_unique<Impl>(*cage);
+  if (impl->faces.empty()) {
+    return fail(fmt::format(
+        "object '{}' has no limit surface: all its faces are holes or lie on an open boundary", mesh.name));
+  }
+  return LimitSurface(std::move(impl));
+}
+
+std::uint32_t LimitSurface::face_count() const {
+  return static_cast<std::uint32_t>(impl_->faces.size());
+}
+
+Vec3 LimitSurface::position(std::uint32_t face, double u, double v) const {
+  const Place p = on_border(u, v) ? impl_->borders.owner(face, u, v) : Place{face, u, v};
+  return impl_->bfr.position(impl_->faces[p.face], p.u, p.v);
+}
+
+SurfacePoint LimitSurface::evaluate(std::uint32_t face, double u, double v) const {
+  SurfacePoint p = impl_->bfr.evaluate(impl_->faces[face], u, v);
+  if (on_border(u, v)) p.position = position(face, u, v);
+  return p;
+}
+
+LimitSurface::UnitNormal LimitSurface::unit_normal(std::uint32_t face, double u, double v) const {
+  // Sines smaller than this leave too few digits of the direction.
+  constexpr double kSmallestSine = 1e-9;
+  bool nudged = false;
+  for (const double step : {0.0, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-4}) {
+    const SurfacePoint p =
+        impl_->bfr.evaluate(impl_->faces[face], u + (0.5 - u) * step, v + (0.5 - v) * step);
+    const Vec3 du = p.du.normalized();
+    const Vec3 dv = p.dv.normalized();
+    const Vec3 n = du.cross(dv);
+    if (n.length() > kSmallestSine) return {n.normalized(), nudged};
+    nudged = true;
+  }
+  return {{0, 0, 1}, true};  // the face has no area: every direction is as good
+}
+
+Vec3 LimitSurface::normal(std::uint32_t face, double u, double v) const {
+  return unit_normal(face, u, v).direction;
+}
+
+Box3 LimitSurface::bounds() const {
+  return impl_->bounds;
+}
+const std::vector<std::string>& LimitSurface::warnings() const {
+  return impl_->bfr.warnings();
+}
+std::uint32_t LimitSurface::torn_borders() const {
+  return impl_->borders.torn();
+}
+
+}  // namespace gnomon::surface
