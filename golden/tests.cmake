@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the tests of golden need when the folder is configured alone.
+find_package(GTest REQUIRED)
+find_path(Boost_INCLUDE_DIR boost/multiprecision/cpp_int.hpp REQUIRED)
+find_path(RapidCheck_INCLUDE_DIR rapidcheck.h REQUIRED)
+find_library(RapidCheck_LIBRARY rapidcheck REQUIRED)
+add_library(gnomon_dep_Boost INTERFACE)
+add_library(gnomon::dep::Boost ALIAS gnomon_dep_Boost)
+target_include_directories(gnomon_dep_Boost SYSTEM INTERFACE ${Boost_INCLUDE_DIR})
+add_library(gnomon_dep_RapidCheck INTERFACE)
+add_library(gnomon::dep::RapidCheck ALIAS gnomon_dep_RapidCheck)
+target_include_directories(gnomon_dep_RapidCheck SYSTEM INTERFACE ${RapidCheck_INCLUDE_DIR})
+target_link_libraries(gnomon_dep_RapidCheck INTERFACE ${RapidCheck_LIBRARY})
+
+include(GoogleTest)
+enable_testing()
+add_subdirectory(../tests/support ${CMAKE_CURRENT_BINARY_DIR}/tests/support)
+if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/../tests/golden/CMakeLists.txt)
+  add_subdirectory(../tests/golden ${CMAKE_CURRENT_BINARY_DIR}/tests/golden)
+endif()
