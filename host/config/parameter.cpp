@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// The registry of parameters.
+#include "host/config/parameter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "host/config/nearest.hpp"
+
+namespace gnomon::config {
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every JSON reader gets it back exactly
+
+Parameter integer(std::string_view key, std::int64_t preset, double low, double high, std::string_view unit,
+                  std::string_view help) {
+  return {key, Type::Integer, low, high, {}, preset, unit, help};
+}
+
+Parameter integer_of(std::string_view key, std::int64_t preset, std::vector<std::string_view> words,
+                     std::string_view unit, std::string_view help) {
+  return {key, Type::Integer, -kUnbounded, kUnbounded, std::move(words), preset, unit, help};
+}
+
+Parameter number(std::string_view key, double preset, double low, double high, std::string_view unit,
+                 std::string_view help) {
+  return {key, Type::Number, low, high, {}, preset, unit, help};
+}
+
+Parameter choice(std::string_view key, std::vector<std::string_view> words, std::string_view help) {
+  std::string preset(words.front());
+  return {key, Type::Choice, 0, 0, std::move(words), std::move(preset), "", help};
+}
+
+std::vector<Parameter> make_parameters() {
+  return {
+      integer("res", 256, 16, 2048, "voxels", "side of the voxel grid"),
+      integer_of("adjacency", 26, {"6", "18", "26"}, "neighbours",
+                 "which voxels count as neighbours of each other"),
+      choice("technique", {"voxel-offset"}, "how shadows are decided"),
+      integer_of("plane", 0, {"0", "16", "32", "64", "128", "256", "512", "1024", "2048", "4096"}, "entries",
+                 "side of the projection plane; 0: the smallest that holds the scene"),
+      number("pitch", 1, 0.25, 16, "voxels/entry", "voxels per plane entry"),
+      number("offset", std::numbers::sqrt2, 0, 8, "voxels",
+             "how far an uncertain voxel moves along its normal"),
+      number("margin", 0.5, 0, 8, "voxels",
+             "slope-scaled margin of the offset test, per unit of tan(normal, light)"),
+      number("margin_tan_max", 10, 0, 100, "", "the tangent at which the margin stops growing"),
+      integer("depth_bits", 20, 8, 24, "bits", "width of a depth in the plane"),
+      integer("voxel_frac_bits", 2, 0, 6, "bits", "fraction bits of a voxel's surface point, per axis"),
+      integer_of("normal_bits", 0, {"0", "4", "5", "6", "7", "8", "9", "10", "11", "12"}, "bits",
+                 "width of a normal's component; 0: as many as the voxel word leaves, at most 9"),
+      integer("matrix_frac_bits", 22, 12, 28, "bits", "fraction bits of the projection matrix"),
+      choice("surface", {"catmull-clark", "polygons"},
+             "what faces are: the cage of a smooth surface, or the surface itself"),
+      choice("ground", {"on", "off"}, "put a ground under the models"),
+      {"light",
+       Type::Vector,
+       -kUnbounded,
+       kUnbounded,
+       {},
+       std::array{0.45, -1.0, -0.4},
+       "",
+       "the way the light travels; replaces the lights of a scene file"},
+      choice("up", {"y", "z"}, "which axis of the models points up"),
+      number("clock_mhz", 100, 1, 10000, "MHz", "the clock at which cycles are told as time"),
+      integer("image_width", 960, 16, 8192, "pixels", "width of the picture"),
+      integer("image_height", 720, 16, 8192, "pixels", "height of the picture"),
+      integer("threads", 0, 0, 1024, "threads", "threads of the host; 0: one per core"),
+      integer("seed", 1, 0, kLargestSeed, "", "reset values of the simulated registers"),
+  };
+}
+
+/// What other builds have and this one does not.
+std::string_view missing_unit(std::string_view key) {
+  for (const std::string_view slb : {"frac_bits", "slope_bits", "frags"}) {
+    if (key == slb) return "the silhouette-line buffer";
+  }
+  return "";
+}
+
+Result<double> parse_number(std::string_view key, std::string_view all, std::string_view text) {
+  double value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    return fail(fmt::format("{}={} is not a finite number", key, all));
+  }
+  return value;
+}
+
+Result<Value> parse_vector(std::string_view key, std::string_view text) {
+  // Commas or blanks between the numbers: both are what people type.
+  std::array<double, 3> vector{};
+  std::size_t count = 0;
+  for (std::size_t at = text.find_first_not_of(", "); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(", ", at), text.size());
+    const Result<double> component = parse_number(key, text, text.substr(at, end - at));
+    if (!component) return tl::make_unexpected(component.error());
+    if (count < vector.size()) vector[count] = *component;
+    ++count;
+    at = text.find_first_not_of(", ", end);
+  }
+  if (count != 3) return fail(fmt::format("{}={} has {} numbers, expected three: x,y,z", key, text, count));
+  if (vector == std::array{0.0, 0.0, 0.0})
+    return fail(fmt::format("{}={} is no direction, expected any length but zero", key, text));
+  return vector;
+}
+
+}  // namespace
+
+std::string Parameter::range() const {
+  if (!words.empty()) return fmt::format("{}", fmt::join(words, " | "));
+  if (type == Type::Vector) return "x,y,z";
+  return fmt::format("{}..{}", low, high);
+}
+
+Result<Value> Parameter::parse(std::string_view text) const {
+  const auto out_of_range = [&] { return fail(fmt::format("{}={} is out of range {}", key, text, range())); };
+  switch (type) {
+    case Type::Vector:
+      return parse_vector(key, text);
+    case Type::Choice:
+      if (std::find(words.begin(), words.end(), text) == words.end()) {
+        return fail(fmt::format("{}={} is unknown or not in this build, expected {}", key, text, range()));
+      }
+      return std::string(text);
+    case Type::Number: {
+      const Result<double> value = parse_number(key, text, text);
+      if (!value) return tl::make_unexpected(value.error());
+      if (*value < low || *value > high) return out_of_range();
+      return *value;
+    }
+    case Type::Integer:
+      break;
+  }
+  std::int64_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status == std::errc::result_out_of_range) return out_of_range();
+  if (status != std::errc{} || end != text.data() + text.size()) {
+    return fail(fmt::format("{}={} is not an integer", key, text));
+  }
+  const bool listed =
+      words.empty() || std::find(words.begin(), words.end(), std::to_string(value)) != words.end();
+  if (!listed || static_cast<double>(value) < low || static_cast<double>(value) > high) return out_of_range();
+  return value;
+}
+
+std::string Parameter::environment() const {
+  std::string name(kEnvironmentPrefix);
+  for (const char c : key) name += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  return name;
+}
+
+std::span<const Parameter> parameters() {
+  static const std::vector<Parameter> all = make_parameters();
+  return all;
+}
+
+Result<const Parameter*> find_parameter(std::string_view key) {
+  std::vector<std::string_view> keys;
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.key == key) return &parameter;
+    keys.push_back(parameter.key);
+  }
+  if (const std::string_view unit = missing_unit(key); !unit.empty()) {
+    return fail(fmt::format("key '{}' belongs to {}, which is not in this build", key, unit));
+  }
+  return fail(fmt::format("unknown key '{}', {}", key, suggestion(key, keys)));
+}
+
+std::string to_text(const Value& value) {
+  struct Writer {
+    std::string operator()(std::int64_t v) const { return std::to_string(v); }
+    std::string operator()(double v) const { return fmt::format("{}", v); }
+    std::string operator()(const std::string& v) const { return v; }
+    std::string operator()(const std::array<double, 3>& v) const {
+      return fmt::format("{}", fmt::join(v, ","));
+    }
+  };
+  return std::visit(Writer{}, value);
+}
+
+}  // namespace gnomon::config

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The registry of parameters: every key of --set, with its type, range, default and meaning.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "host/base/result.hpp"
+
+namespace gnomon::config {
+
+inline constexpr std::string_view kEnvironmentPrefix = "GNOMON_SET_";
+
+enum class Type : std::uint8_t { Integer, Number, Choice, Vector };
+
+/// What a parameter can hold: Integer, Number, Choice (its word) or Vector (three numbers).
+using Value = std::variant<std::int64_t, double, std::string, std::array<double, 3>>;
+
+struct Parameter {
+  std::string_view key;
+  Type type;
+  double low, high;                     ///< of Integer and Number, both ends included
+  std::vector<std::string_view> words;  ///< of Choice, and of an Integer that takes certain values only
+  Value preset;                         ///< the default value
+  std::string_view unit;                ///< empty where it has none
+  std::string_view help;                ///< one line
+
+  /// "16..2048", "on | off", "x,y,z": what may be written after key=.
+  std::string range() const;
+  /// The value that `text` writes, or why not: "res=9 is out of range 16..2048".
+  Result<Value> parse(std::string_view text) const;
+  /// "GNOMON_SET_RES": the environment variable that sets it.
+  std::string environment() const;
+};
+
+/// All parameters of this build, in the order in which `gnomon params` shows them.
+std::span<const Parameter> parameters();
+
+/// The parameter named `key`, or one line that names the nearest key.
+Result<const Parameter*> find_parameter(std::string_view key);
+
+/// As it would be written on the command line.
+std::string to_text(const Value& value);
+
+}  // namespace gnomon::config

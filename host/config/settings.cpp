@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which value every parameter has, and who said so.
+#include "host/config/settings.hpp"
+
+#include <fmt/format.h>
+
+namespace gnomon::config {
+
+Result<Assignment> parse_set_flag(std::string_view flag) {
+  const std::size_t equals = flag.find('=');
+  if (equals == std::string_view::npos || equals == 0) {
+    return fail(fmt::format("command line: error: --set {} has no value, expected --set key=value", flag));
+  }
+  return Assignment{std::string(flag.substr(0, equals)), std::string(flag.substr(equals + 1)),
+                    "command line"};
+}
+
+std::vector<Assignment> environment_assignments(std::span<const std::string> environment) {
+  std::vector<Assignment> found;
+  for (const std::string& entry : environment) {
+    const std::size_t equals = entry.find('=');
+    if (!entry.starts_with(kEnvironmentPrefix) || equals == std::string::npos) continue;
+    std::string key = entry.substr(kEnvironmentPrefix.size(), equals - kEnvironmentPrefix.size());
+    for (char& c : key) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    found.push_back({std::move(key), entry.substr(equals + 1), "environment " + entry.substr(0, equals)});
+  }
+  return found;
+}
+
+Result<Settings> Settings::resolve(std::span<const std::vector<Assignment>> weakest_first) {
+  Settings settings;
+  for (const Parameter& parameter : parameters()) {
+    settings.entries_[std::string(parameter.key)] = {parameter.preset, "default"};
+  }
+  for (const std::vector<Assignment>& source : weakest_first) {
+    for (const Assignment& assignment : source) {
+      const Result<const Parameter*> parameter = find_parameter(assignment.key);
+      if (!parameter) return fail(assignment.origin + ": error: " + parameter.error().message);
+      Result<Value> value = (*parameter)->parse(assignment.text);
+      if (!value) return fail(assignment.origin + ": error: " + value.error().message);
+      settings.entries_[assignment.key] = {std::move(*value), assignment.origin};
+    }
+  }
+  return settings;
+}
+
+std::vector<std::string> Settings::as_flags() const {
+  std::vector<std::string> flags;
+  for (const Parameter& parameter : parameters()) {
+    const Entry& e = entry(parameter.key);
+    if (e.value == parameter.preset) continue;
+    flags.emplace_back("--set");
+    flags.push_back(fmt::format("{}={}", parameter.key, to_text(e.value)));
+  }
+  return flags;
+}
+
+}  // namespace gnomon::config
