@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From voxels and a light to the VPU's configuration, registers and command stream. Theory: docs/vpu.md, docs/planning.md.
+// From voxels and a light to the VPU's configuration, registers and command stream. Theory: docs/vpu.md,
+// docs/planning.md.
 #pragma once
 
 #include <gnomon/golden/codec.hpp>
@@ -15,24 +16,24 @@ namespace gnomon::plan {
 
 /// What the user may choose about the VPU; the rest follows from the scene.
 struct VpuSettings {
-  double pitch = 1.0;            ///< voxels per plane entry
+  double pitch = 1.0;                         ///< voxels per plane entry
   double offset_factor = 1.4142135623730951;  ///< voxels that an uncertain voxel moves along its normal
-  double margin = 0.5;           ///< slope-scaled margin, voxels per unit of tan(N, L)
-  double margin_tan_max = 10;    ///< where the margin stops growing
-  int plane_log2 = 0;            ///< log2 of the plane's side; 0: the smallest that holds the scene
+  double margin = 0.5;                        ///< slope-scaled margin, voxels per unit of tan(N, L)
+  double margin_tan_max = 10;                 ///< where the margin stops growing
+  int plane_log2 = 0;  ///< log2 of the plane's side; 0: the smallest that holds the scene
   int voxel_frac_bits = 2;
-  int normal_bits = 0;           ///< 0: as many as the voxel word leaves, at most 9
+  int normal_bits = 0;  ///< 0: as many as the voxel word leaves, at most 9
   int matrix_frac_bits = 22;
   int depth_bits = 20;
 };
 
 /// The projection in double: rows applied to a point in voxels (voxel i spans i..i+1).
 struct Projection {
-  Vec3 u, v, d;             ///< entries a voxel, entries a voxel, depth codes a voxel; orthogonal
+  Vec3 u, v, d;  ///< entries a voxel, entries a voxel, depth codes a voxel; orthogonal
   double u1 = 0, v1 = 0, d1 = 0;
-  double pitch = 1;         ///< voxels per entry
+  double pitch = 1;  ///< voxels per entry
   double codes_per_voxel = 1;
-  int plane_side = 0;       ///< entries
+  int plane_side = 0;  ///< entries
   Vec2 entry(const Vec3& p) const { return {u.dot(p) + u1, v.dot(p) + v1}; }
   double depth(const Vec3& p) const { return d.dot(p) + d1; }
 };
@@ -45,22 +46,27 @@ struct VpuPlan {
   std::vector<std::int64_t> registers;  ///< golden::kRegisterCount values, in register order
 };
 
-/// `light` is the way the light travels, in grid coordinates, any length but zero. Fails where the settings make no legal
-/// hardware (the error names the key).
+/// `light` is the way the light travels, in grid coordinates, any length but zero. Fails where the settings
+/// make no legal hardware (the error names the key).
 Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const VpuSettings& settings);
 
 /// The voxels as the hardware sees them, in the order of `voxels.voxels`: position and normal quantised
 /// (position: floor; normal: nearest, halves away from zero).
-std::vector<golden::VoxelItem> voxel_items(const voxel::VoxelSet& voxels, const golden::HardwareConfig& config);
+std::vector<golden::VoxelItem> voxel_items(const voxel::VoxelSet& voxels,
+                                           const golden::HardwareConfig& config);
 
 /// Registers, clear, project all, resolve all, fence. `two_sided[object]` marks open surfaces.
 std::vector<golden::Word> vpu_stream(const VpuPlan& plan, const voxel::VoxelSet& voxels,
-                                     std::span<const golden::VoxelItem> items, const std::vector<bool>& two_sided);
+                                     std::span<const golden::VoxelItem> items,
+                                     const std::vector<bool>& two_sided);
 
-/// The voxel results among `results`, in voxel order. Fails if their number is not `expected` or an error word is among them.
-Result<std::vector<golden::VoxelResult>> voxel_results(std::span<const golden::Word> results, std::size_t expected);
+/// The voxel results among `results`, in voxel order. Fails if their number is not `expected` or an error
+/// word is among them.
+Result<std::vector<golden::VoxelResult>> voxel_results(std::span<const golden::Word> results,
+                                                       std::size_t expected);
 
-/// The same method in double precision and with exact positions and normals: what quantisation is measured against.
+/// The same method in double precision and with exact positions and normals: what quantisation is measured
+/// against.
 std::vector<golden::VoxelState> offset_states_double(const VpuPlan& plan, const voxel::VoxelSet& voxels,
                                                      const std::vector<bool>& two_sided);
 

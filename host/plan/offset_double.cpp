@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The offset-based test in double precision, on exact positions and normals: the method without its
+// quantisation.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/plan/vpu_plan.hpp"
+
+namespace gnomon::plan {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::infinity();
+
+Vec3 position(const voxel::Voxel& voxel) {
+  return {voxel.x + double{voxel.point[0]}, voxel.y + double{voxel.point[1]},
+          voxel.z + double{voxel.point[2]}};
+}
+
+Vec3 normal(const voxel::Voxel& voxel) {
+  return {double{voxel.normal[0]}, double{voxel.normal[1]}, double{voxel.normal[2]}};
+}
+
+/// The plane of nearest depths, in depth codes but not rounded to them.
+class DepthPlane {
+ public:
+  explicit DepthPlane(const Projection& projection)
+      : projection_(projection),
+        side_(projection.plane_side),
+        nearest_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), kNothing) {}
+
+  void project(const Vec3& p) {
+    if (double* entry = find(p)) *entry = std::min(*entry, projection_.depth(p));
+  }
+  /// Nearest depth in the entry that p falls into; infinite where empty or off the plane.
+  double nearest(const Vec3& p) const {
+    const double* entry = const_cast<DepthPlane*>(this)->find(p);
+    return entry != nullptr ? *entry : kNothing;
+  }
+
+ private:
+  double* find(const Vec3& p) {
+    const Vec2 e = projection_.entry(p);
+    const double u = std::floor(e.x), v = std::floor(e.y);
+    if (!(u >= 0 && v >= 0 && u < side_ && v < side_)) return nullptr;
+    return &nearest_[static_cast<std::size_t>(v) * static_cast<std::size_t>(side_) +
+                     static_cast<std::size_t>(u)];
+  }
+
+  const Projection& projection_;
+  int side_;
+  std::vector<double> nearest_;
+};
+
+}  // namespace
+
+std::vector<golden::VoxelState> offset_states_double(const VpuPlan& plan, const voxel::VoxelSet& voxels,
+                                                     const std::vector<bool>& two_sided) {
+  const Projection& projection = plan.projection;
+  const Vec3 beam = projection.d / projection.codes_per_voxel;
+  DepthPlane plane(projection);
+  for (const auto& voxel : voxels.voxels) plane.project(position(voxel));
+
+  const auto state = [&](const voxel::Voxel& voxel) {
+    const Vec3 a = position(voxel);
+    Vec3 n = normal(voxel);
+    double cosine = -n.dot(beam);
+    if (two_sided[voxel.object] && cosine < 0) {
+      n = -n;
+      cosine = -cosine;
+    }
+    if (cosine <= 0) return golden::VoxelState::Shadow;
+    if (!(plane.nearest(a) < projection.depth(a))) return golden::VoxelState::Lit;
+    const Vec3 moved = a + n * plan.settings.offset_factor;
+    const double delta = projection.depth(moved) - plane.nearest(moved);  // -infinity where empty
+    const double tangent = std::min((n + beam * cosine).length() / cosine, plan.settings.margin_tan_max);
+    const double margin = plan.settings.margin * projection.codes_per_voxel * tangent;
+    return delta > std::max(margin, 0.0) ? golden::VoxelState::Shadow : golden::VoxelState::Lit;
+  };
+  std::vector<golden::VoxelState> states(voxels.voxels.size());
+  std::transform(voxels.voxels.begin(), voxels.voxels.end(), states.begin(), state);
+  return states;
+}
+
+}  // namespace gnomon::plan

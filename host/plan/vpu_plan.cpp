@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses the plane, the depth range and the register contents for one directional light (docs/planning.md).
+#include "host/plan/vpu_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::plan {
+namespace {
+
+constexpr int kAxisBits = 21;          // position and normal bits an axis: three axes fill a 64-bit word
+constexpr int kUsualNormalBits = 9;    // more buys nothing at 256^3 (docs/planning.md)
+constexpr double kMinDepthRange = 16;  // voxels; keeps depth coefficients inside their register width
+constexpr int kOffsetFracBits = 16;
+constexpr int kOffsetBits = 18;
+constexpr int kDeltaBits = 12;
+constexpr int kSlopeBits = 16;
+constexpr int kMarginBits = 24;
+
+/// Smallest n with 2^n >= x.
+int log2_ceil(double x) {
+  return static_cast<int>(std::ceil(std::log2(x)));
+}
+
+struct Interval {
+  double lo = std::numeric_limits<double>::infinity();
+  double hi = -std::numeric_limits<double>::infinity();
+  void extend(double x) {
+    lo = std::min(lo, x);
+    hi = std::max(hi, x);
+  }
+  double size() const { return hi - lo; }
+};
+
+Vec3 representative(const voxel::Voxel& voxel) {
+  return {voxel.x + double{voxel.point[0]}, voxel.y + double{voxel.point[1]},
+          voxel.z + double{voxel.point[2]}};
+}
+
+/// Plane axes: u along the grid axis that lies best in the plane, so that an axis-parallel light sees the
+/// voxel columns.
+struct Frame {
+  Vec3 u, v, d;
+};
+Frame light_frame(const Vec3& light) {
+  const Vec3 d = light.normalized();
+  int along = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (std::abs(d[axis]) < std::abs(d[along])) along = axis;
+  Vec3 axis(0, 0, 0);
+  axis[along] = 1;
+  const Vec3 u = (axis - d * d.dot(axis)).normalized();
+  return {u, d.cross(u), d};
+}
+
+struct Extent {
+  Interval u, v, d;  // voxels along the frame's axes
+};
+Extent extent_of(const voxel::VoxelSet& voxels, const Frame& frame) {
+  Extent extent;
+  for (const auto& voxel : voxels.voxels) {
+    const Vec3 p = representative(voxel);
+    extent.u.extend(frame.u.dot(p));
+    extent.v.extend(frame.v.dot(p));
+    extent.d.extend(frame.d.dot(p));
+  }
+  return extent;
+}
+
+Projection make_projection(const Frame& frame, const Extent& extent, double pitch, int plane_side,
+                           int depth_bits, double reach) {
+  Projection projection;
+  projection.pitch = pitch;
+  projection.plane_side = plane_side;
+  projection.u = frame.u / pitch;
+  projection.v = frame.v / pitch;
+  // Whole entries only: the lattice stays aligned with the voxels where the light is parallel to an axis.
+  projection.u1 = std::floor((plane_side - extent.u.size() / pitch) / 2) - std::floor(extent.u.lo / pitch);
+  projection.v1 = std::floor((plane_side - extent.v.size() / pitch) / 2) - std::floor(extent.v.lo / pitch);
+  const double range = std::max(extent.d.size() + 2 * reach, kMinDepthRange);
+  projection.codes_per_voxel = (std::ldexp(1.0, depth_bits) - 2) / range;
+  projection.d = frame.d * projection.codes_per_voxel;
+  projection.d1 = -(extent.d.lo - reach) * projection.codes_per_voxel;
+  return projection;
+}
+
+std::int64_t round_fixed(double value, int frac_bits) {
+  return std::llround(std::ldexp(value, frac_bits));
+}
+
+void set_row(std::vector<std::int64_t>& registers, golden::Register first, const Vec3& row,
+             double translation, int position_frac_bits, int frac_bits) {
+  const auto base = static_cast<std::size_t>(first);
+  const double ulp = std::ldexp(1.0, -position_frac_bits);
+  for (int axis = 0; axis < 3; ++axis)
+    registers[base + static_cast<std::size_t>(axis)] = round_fixed(row[axis] * ulp, frac_bits);
+  registers[base + 3] = round_fixed(translation + (row.x + row.y + row.z) * ulp / 2, frac_bits);
+}
+
+/// Shift that brings a magnitude below 2^bits.
+int shift_for(double magnitude, int bits) {
+  return std::max(0, log2_ceil(magnitude + 1) - bits);
+}
+
+/// Margin registers: DELTA_MAX clamps, the squared margin gets as many bits as its register holds.
+void set_margin(VpuPlan& plan, double facing_scale, double tilt_scale) {
+  auto& registers = plan.registers;
+  const auto& config = plan.config;
+  const double k = plan.projection.codes_per_voxel;
+  const double code_max = std::ldexp(1.0, config.depth_bits) - 1;
+  const double delta_max =
+      std::min(std::round(plan.settings.margin * plan.settings.margin_tan_max * k), code_max);
+  const int facing_shift = shift_for(facing_scale, kSlopeBits);
+  const int tilt_shift = shift_for(tilt_scale, kSlopeBits);
+  int delta_shift = shift_for(delta_max, kDeltaBits);
+  const auto squared = [&] {
+    const int exponent =
+        tilt_shift - config.matrix_frac_bits - delta_shift - facing_shift + config.position_bits() + 4;
+    const double root = std::ldexp(plan.settings.margin * k * k * plan.projection.pitch, exponent);
+    return std::round(root * root);
+  };
+  while (squared() >= std::ldexp(1.0, kMarginBits)) ++delta_shift;
+  const auto set = [&](golden::Register reg, double value) {
+    registers[static_cast<std::size_t>(reg)] = static_cast<std::int64_t>(value);
+  };
+  set(golden::Register::FacingShift, facing_shift);
+  set(golden::Register::TiltShift, tilt_shift);
+  set(golden::Register::DeltaShift, delta_shift);
+  set(golden::Register::MarginSquared, squared());
+  set(golden::Register::DeltaMax, delta_max);
+}
+
+Result<void> set_registers(VpuPlan& plan) {
+  const auto& config = plan.config;
+  const auto& projection = plan.projection;
+  plan.registers.assign(golden::kRegisterCount, 0);
+  const int frac = config.voxel_frac_bits;
+  const int depth_frac = config.position_bits() + 4;
+  set_row(plan.registers, golden::Register::MatrixUx, projection.u, projection.u1, frac,
+          config.matrix_frac_bits);
+  set_row(plan.registers, golden::Register::MatrixVx, projection.v, projection.v1, frac,
+          config.matrix_frac_bits);
+  set_row(plan.registers, golden::Register::MatrixDx, projection.d, projection.d1, frac, depth_frac);
+
+  const double unit = std::ldexp(1.0, config.normal_bits - 1) - 1;
+  const std::int64_t factor =
+      round_fixed(std::ldexp(plan.settings.offset_factor, frac) / unit, kOffsetFracBits);
+  if (factor >= (std::int64_t{1} << kOffsetBits))
+    return fail(fmt::format(
+        "offset={} is too large for voxel_frac_bits={} and normal_bits={}: expected at most {:.3g}",
+        plan.settings.offset_factor, frac, config.normal_bits, std::ldexp(4 * unit, -frac)));
+  plan.registers[static_cast<std::size_t>(golden::Register::OffsetFactor)] = factor;
+
+  const double per_ulp =
+      std::ldexp(unit, -frac);  // voxels that the integer normal of a unit vector spans, in ulps
+  set_margin(plan, std::ldexp(projection.codes_per_voxel * per_ulp, depth_frac),
+             std::ldexp(per_ulp / projection.pitch, config.matrix_frac_bits));
+  return {};
+}
+
+}  // namespace
+
+Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const VpuSettings& settings) {
+  if (voxels.voxels.empty())
+    return fail("the scene has no voxels: expected at least one surface inside the grid");
+  if (!(light.length() > 0) || !std::isfinite(light.length()))
+    return fail("light has no direction: expected three finite numbers, not all 0");
+  const Frame frame = light_frame(light);
+  const Extent extent = extent_of(voxels, frame);
+  const double side = std::max(extent.u.size(), extent.v.size());
+  // One voxel's reach beyond the outermost points on each side: offset points must find their entries.
+  const double reach = settings.offset_factor + 1;
+
+  VpuPlan plan;
+  plan.settings = settings;
+  double pitch = settings.pitch;
+  int plane_log2 = settings.plane_log2;
+  const double needed = side + 2 * reach;
+  if (plane_log2 == 0) {
+    plane_log2 = std::max(4, log2_ceil(needed / pitch + 2));
+  } else {
+    // A plane that was asked for holds the whole scene: where it is too small, its entries grow.
+    pitch = std::max(pitch, needed / (std::ldexp(1.0, plane_log2) - 2));
+  }
+  plan.settings.pitch = pitch;
+
+  auto& config = plan.config;
+  config.voxel_bits = std::max(4, static_cast<int>(std::bit_width(voxels.grid.res - 1)));
+  config.voxel_frac_bits = settings.voxel_frac_bits;
+  config.normal_bits = settings.normal_bits > 0
+                           ? settings.normal_bits
+                           : std::min(kUsualNormalBits, kAxisBits - config.position_bits());
+  config.matrix_frac_bits = settings.matrix_frac_bits;
+  config.depth_bits = settings.depth_bits;
+  config.plane_log2 = plane_log2;
+  plan.settings.plane_log2 = plane_log2;
+  plan.settings.normal_bits = config.normal_bits;
+  if (const auto wrong = config.check()) return fail(*wrong);
+
+  plan.projection = make_projection(frame, extent, pitch, config.plane_side(), config.depth_bits, reach);
+  if (auto done = set_registers(plan); !done) return tl::make_unexpected(done.error());
+  return plan;
+}
+
+std::vector<golden::VoxelItem> voxel_items(const voxel::VoxelSet& voxels,
+                                           const golden::HardwareConfig& config) {
+  const double scale = std::ldexp(1.0, config.voxel_frac_bits);
+  const auto last = (std::uint32_t{1} << config.voxel_frac_bits) - 1;
+  const double unit = std::ldexp(1.0, config.normal_bits - 1) - 1;
+  std::vector<golden::VoxelItem> items(voxels.voxels.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto& voxel = voxels.voxels[i];
+    const std::array<std::uint32_t, 3> cell{voxel.x, voxel.y, voxel.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto inside = static_cast<std::uint32_t>(std::floor(double{voxel.point[axis]} * scale));
+      items[i].position[axis] = (cell[axis] << config.voxel_frac_bits) + std::min(inside, last);
+      items[i].normal[axis] = static_cast<std::int32_t>(std::lround(double{voxel.normal[axis]} * unit));
+    }
+  }
+  return items;
+}
+
+}  // namespace gnomon::plan
