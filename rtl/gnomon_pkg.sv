@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of the command and result streams, and the widths that follow from the parameters: the one source in
+// SystemVerilog, written from docs/command-stream.md and docs/vpu.md and compared with the C++ codec by tests/rtl.
+
+// A module elaborated by itself uses only some of the constants.
+/* verilator lint_off UNUSEDPARAM */
+package gnomon_pkg;
+
+  localparam int unsigned WORD_BITS = 64;
+
+  // ---- Commands ----
+  typedef struct packed {
+    logic [7:0]  op;
+    logic [7:0]  flags;
+    logic [15:0] count;
+    logic [31:0] arg;
+  } header_t;
+
+  localparam logic [7:0] OP_NOP            = 8'h00;
+  localparam logic [7:0] OP_SET_REGISTERS  = 8'h01;
+  localparam logic [7:0] OP_CLEAR_PLANE    = 8'h02;
+  localparam logic [7:0] OP_FENCE          = 8'h03;
+  localparam logic [7:0] OP_READ_PLANE     = 8'h04;
+  localparam logic [7:0] OP_PROJECT_VOXELS = 8'h10;
+  localparam logic [7:0] OP_RESOLVE_VOXELS = 8'h11;
+
+  localparam logic [7:0] FENCE_CLEAR_STICKY = 8'h01;
+  localparam logic [7:0] RESOLVE_TWO_SIDED  = 8'h01;
+
+  // ---- Registers ----
+  localparam int unsigned REGISTER_COUNT      = 18;
+  localparam int unsigned REGISTER_INDEX_BITS = 5;
+  localparam logic [4:0] REG_MATRIX_UX      = 5'd0;
+  localparam logic [4:0] REG_MATRIX_UY      = 5'd1;
+  localparam logic [4:0] REG_MATRIX_UZ      = 5'd2;
+  localparam logic [4:0] REG_MATRIX_U1      = 5'd3;
+  localparam logic [4:0] REG_MATRIX_VX      = 5'd4;
+  localparam logic [4:0] REG_MATRIX_VY      = 5'd5;
+  localparam logic [4:0] REG_MATRIX_VZ      = 5'd6;
+  localparam logic [4:0] REG_MATRIX_V1      = 5'd7;
+  localparam logic [4:0] REG_MATRIX_DX      = 5'd8;
+  localparam logic [4:0] REG_MATRIX_DY      = 5'd9;
+  localparam logic [4:0] REG_MATRIX_DZ      = 5'd10;
+  localparam logic [4:0] REG_MATRIX_D1      = 5'd11;
+  localparam logic [4:0] REG_OFFSET_FACTOR  = 5'd12;
+  localparam logic [4:0] REG_FACING_SHIFT   = 5'd13;
+  localparam logic [4:0] REG_TILT_SHIFT     = 5'd14;
+  localparam logic [4:0] REG_DELTA_SHIFT    = 5'd15;
+  localparam logic [4:0] REG_MARGIN_SQUARED = 5'd16;
+  localparam logic [4:0] REG_DELTA_MAX      = 5'd17;
+
+  // ---- Results ----
+  localparam logic [7:0] RESULT_FENCE       = 8'h03;
+  localparam logic [7:0] RESULT_PLANE_ENTRY = 8'h04;
+  localparam logic [7:0] RESULT_VOXEL_STATE = 8'h11;
+  localparam logic [7:0] RESULT_ERROR       = 8'hFF;
+
+  localparam logic [7:0] ERROR_NONE           = 8'd0;
+  localparam logic [7:0] ERROR_UNKNOWN_OP     = 8'd1;
+  localparam logic [7:0] ERROR_FEATURE_ABSENT = 8'd2;
+  localparam logic [7:0] ERROR_BAD_REGISTER   = 8'd3;
+  localparam logic [7:0] ERROR_BAD_ARGUMENT   = 8'd4;
+  localparam logic [7:0] ERROR_RESERVED_FLAG  = 8'd5;
+
+  localparam logic [1:0] STATE_LIT    = 2'd1;
+  localparam logic [1:0] STATE_SHADOW = 2'd2;
+
+  localparam int unsigned DEPTH_FIELD_BITS = 24;  // a depth code in words, tags and the plane, whatever DEPTH_BITS
+  localparam int unsigned INDEX_FIELD_BITS = 24;  // an entry index in words
+
+  typedef struct packed {
+    logic depth_saturated;
+    logic off_plane;
+    logic error_seen;
+  } sticky_t;
+
+  typedef struct packed {
+    logic [7:0]  code;
+    logic [20:0] zero;
+    sticky_t     sticky;
+    logic [31:0] tag;
+  } fence_result_t;
+
+  typedef struct packed {
+    logic [7:0]  code;
+    logic [23:0] index;
+    logic        present;
+    logic [6:0]  zero;
+    logic [23:0] depth;
+  } plane_entry_result_t;
+
+  typedef struct packed {
+    logic [7:0]  code;
+    logic [1:0]  state;
+    logic        facing_away;
+    logic        off_plane;
+    logic        uncertain;
+    logic        offset_empty;
+    logic        beyond_max;
+    logic        zero;
+    logic [23:0] nearest;
+    logic [23:0] delta;
+  } voxel_result_t;
+
+  typedef struct packed {
+    logic [7:0]  code;
+    logic [7:0]  error;
+    logic [15:0] zero;
+    logic [31:0] command_index;
+  } error_result_t;
+
+  // ---- Plane ----
+  // What the units see of an entry; the generation tag behind `present` stays in mem/.
+  typedef struct packed {
+    logic        present;
+    logic [23:0] depth;
+  } plane_entry_t;
+
+  localparam int unsigned GENERATION_BITS = 8;
+  localparam int unsigned PLANE_WORD_BITS = 32;   // {generation, depth}
+  localparam int unsigned LINE_LOG2       = 4;    // 16 entries to a 64-byte line
+
+  // ---- Fixed formats of the resolve pass (docs/vpu.md) ----
+  localparam int unsigned OFFSET_FACTOR_BITS  = 18;
+  localparam int unsigned OFFSET_FRAC_BITS    = 16;
+  localparam int unsigned SHIFT_BITS          = 6;
+  localparam int unsigned MARGIN_BITS         = 24;
+  localparam int unsigned DELTA_NORM_BITS     = 12;
+  localparam int unsigned GRADIENT_NORM_BITS  = 16;
+
+  // What travels with the two plane reads of a voxel, so that the unit holds nothing while it waits.
+  typedef struct packed {
+    logic        facing_away;
+    logic        off_plane;
+    logic [23:0] depth;      // d
+    logic [15:0] facing;     // g_dn
+  } own_tag_t;
+  localparam int unsigned OWN_TAG_BITS = 42;
+
+  typedef struct packed {
+    logic        off_plane;
+    logic [23:0] depth;      // d'
+    logic [15:0] tilt_u;     // g_un
+    logic [15:0] tilt_v;     // g_vn
+  } offset_tag_t;
+  localparam int unsigned OFFSET_TAG_BITS = 57;
+
+  // ---- Widths (docs/vpu.md, "Projection" and "Resolve"; f = MATRIX_FRAC_BITS, P = VOXEL_BITS + VOXEL_FRAC_BITS) ----
+  function automatic int unsigned uv_coefficient_bits(int unsigned f);
+    uv_coefficient_bits = f + 2;
+  endfunction
+  function automatic int unsigned uv_constant_bits(int unsigned f, int unsigned p);
+    uv_constant_bits = f + p + 3;
+  endfunction
+  function automatic int unsigned uv_acc_bits(int unsigned f, int unsigned p);
+    uv_acc_bits = f + p + 5;
+  endfunction
+  function automatic int unsigned depth_frac_bits(int unsigned p);
+    depth_frac_bits = p + 4;
+  endfunction
+  function automatic int unsigned depth_coefficient_bits(int unsigned d, int unsigned p);
+    depth_coefficient_bits = d + p + 2;
+  endfunction
+  function automatic int unsigned depth_constant_bits(int unsigned d, int unsigned p);
+    depth_constant_bits = d + p + 8;
+  endfunction
+  function automatic int unsigned depth_acc_bits(int unsigned d, int unsigned p);
+    depth_acc_bits = d + 2 * p + 6;
+  endfunction
+  function automatic int unsigned uv_gradient_bits(int unsigned f, int unsigned n);
+    uv_gradient_bits = f + n + 3;
+  endfunction
+  function automatic int unsigned depth_gradient_bits(int unsigned d, int unsigned p, int unsigned n);
+    depth_gradient_bits = d + p + n + 3;
+  endfunction
+  function automatic int unsigned max_of(int unsigned a, int unsigned b);
+    max_of = (a > b) ? a : b;
+  endfunction
+
+  // ---- Counters ----
+  localparam logic [2:0] PASS_IDLE    = 3'd0;
+  localparam logic [2:0] PASS_CONTROL = 3'd1;
+  localparam logic [2:0] PASS_CLEAR   = 3'd2;
+  localparam logic [2:0] PASS_PROJECT = 3'd3;
+  localparam logic [2:0] PASS_RESOLVE = 3'd4;
+  localparam logic [2:0] PASS_READ    = 3'd5;
+
+  localparam logic [2:0] CAUSE_BUSY           = 3'd0;
+  localparam logic [2:0] CAUSE_INPUT_STARVED  = 3'd1;
+  localparam logic [2:0] CAUSE_OUTPUT_BLOCKED = 3'd2;
+  localparam logic [2:0] CAUSE_MEMORY_WAIT    = 3'd3;
+  localparam logic [2:0] CAUSE_HAZARD         = 3'd4;
+  localparam logic [2:0] CAUSE_IDLE           = 3'd5;
+
+  localparam int unsigned PASS_COUNT  = 6;
+  localparam int unsigned CAUSE_COUNT = 6;
+
+  // One bit an event counter, each at most one a cycle.
+  typedef struct packed {
+    logic command;
+    logic error;
+    logic voxel_projected;
+    logic project_off_plane;
+    logic project_saturated;
+    logic plane_write;
+    logic voxel_resolved;
+    logic resolved_facing_away;
+    logic resolved_uncertain;
+    logic resolved_offset_empty;
+    logic resolved_shadow;
+  } events_t;
+
+  // Indices of the counter read port of gnomon_top.
+  localparam logic [6:0] COUNTER_COMMANDS              = 7'd0;
+  localparam logic [6:0] COUNTER_ERRORS                = 7'd1;
+  localparam logic [6:0] COUNTER_VOXELS_PROJECTED      = 7'd2;
+  localparam logic [6:0] COUNTER_PROJECT_OFF_PLANE     = 7'd3;
+  localparam logic [6:0] COUNTER_PROJECT_SATURATED     = 7'd4;
+  localparam logic [6:0] COUNTER_PLANE_WRITES          = 7'd5;
+  localparam logic [6:0] COUNTER_VOXELS_RESOLVED       = 7'd6;
+  localparam logic [6:0] COUNTER_RESOLVED_FACING_AWAY  = 7'd7;
+  localparam logic [6:0] COUNTER_RESOLVED_UNCERTAIN    = 7'd8;
+  localparam logic [6:0] COUNTER_RESOLVED_OFFSET_EMPTY = 7'd9;
+  localparam logic [6:0] COUNTER_RESOLVED_SHADOW       = 7'd10;
+  localparam logic [6:0] COUNTER_STICKY                = 7'd11;
+  localparam logic [6:0] COUNTER_CYCLES                = 7'd16;  // + 6 * pass + cause
+
+endpackage
+/* verilator lint_on UNUSEDPARAM */
