@@ -14,10 +14,13 @@ struct Error {
   std::string message;
 };
 
-/// A value, or the reason why the input cannot give one. Internal faults are exceptions (exit 3), never Errors.
+/// A value, or the reason why the input cannot give one. Internal faults are exceptions (exit 3), never
+/// Errors.
 template <class T>
 using Result = tl::expected<T, Error>;
 
-inline tl::unexpected<Error> fail(std::string message) { return tl::make_unexpected(Error{std::move(message)}); }
+inline tl::unexpected<Error> fail(std::string message) {
+  return tl::make_unexpected(Error{std::move(message)});
+}
 
 }  // namespace gnomon
