@@ -66,12 +66,32 @@ struct MislabelCounts {
   std::uint64_t false_lit = 0;     ///< said lit, exact says shadow
 };
 
-/// One method's error against the exact reference.
-struct ErrorRecord {
-  MislabelCounts all, all_ground, all_models;
-  MislabelCounts unambiguous, unambiguous_ground, unambiguous_models;
+/// One method's error against the exact reference on some receivers.
+struct ErrorPart {
+  MislabelCounts all;          ///< every voxel
+  MislabelCounts unambiguous;  ///< voxels away from every shadow border
+  MislabelCounts samples;      ///< surface samples, half a voxel apart
   std::optional<double>
-      boundary_displacement;  ///< mean, plane entries; absent where no shadow boundary was found
+      boundary_displacement;  ///< mean, plane entries; absent where there is no shadow border
+};
+struct ErrorRecord {
+  ErrorPart total, ground, models;
+};
+
+/// How exact the exact reference is, and what it took.
+struct ExactRecord {
+  std::size_t triangles = 0;
+  double sag = 0;   ///< voxels: largest distance between its triangles and the limit surface
+  double lift = 0;  ///< voxels by which a ray starts above the surface
+  std::uint64_t rays = 0;
+};
+
+/// A picture's shadows against the reference picture's.
+struct PictureRecord {
+  int width = 0, height = 0;           ///< pixels
+  MislabelCounts mask;                 ///< picture samples that see a surface
+  double intersection_over_union = 1;  ///< of the shadow masks, 0..1
+  double rmse = 0;                     ///< of the pictures, 0..1
 };
 
 /// The three answers: as built, in double precision, and what the first lost against the second.
@@ -94,6 +114,9 @@ struct StageTime {
   double user_seconds = 0;  ///< user CPU time of the whole process, all threads
 };
 
+/// An entry as mem/ stores it: {generation 8, depth 24} (docs/vpu.md).
+inline constexpr std::uint64_t kPlaneEntryBits = 32;
+
 /// How the plane was used, after the projection pass.
 struct PlaneRecord {
   std::uint32_t side = 0;  ///< entries
@@ -113,6 +136,7 @@ struct RegisterRecord {
 struct RunRecord {
   std::string scene_name;
   std::string scene_source;  ///< the file, as given
+  std::string started;       ///< UTC, ISO 8601
   std::vector<std::string> command_line;
   std::vector<std::pair<std::string, std::string>> versions;  ///< tool, version
   std::string engine;                                         ///< the engine whose answers are shown
@@ -137,6 +161,8 @@ struct RunRecord {
   std::map<std::string, std::uint64_t> events;  ///< event counters of docs/command-stream.md
   std::vector<PassCycles> cycles;               ///< empty where the engine has no cycles
   ErrorsRecord errors;
+  ExactRecord exact;
+  PictureRecord picture;
   std::vector<StageTime> stages;
 };
 

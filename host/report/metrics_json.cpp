@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+// metrics.json: every figure of a run, with the whole configuration.
+#include "host/report/metrics_json.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "host/report/numbers.hpp"
+
+namespace gnomon::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// part / whole, null where there is no whole: JSON knows no NaN.
+Json ratio(double part, double whole) {
+  return whole > 0 ? Json(part / whole) : Json(nullptr);
+}
+Json ratio(std::uint64_t part, std::uint64_t whole) {
+  return ratio(static_cast<double>(part), static_cast<double>(whole));
+}
+
+Json vector_json(const Vec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json light_json(const Light& light) {
+  if (const auto* directional = std::get_if<DirectionalLight>(&light)) {
+    return {{"type", "directional"}, {"direction", vector_json(directional->direction)}};
+  }
+  return {{"type", "point"}, {"position", vector_json(std::get<PointLight>(light).position)}};
+}
+
+Json parameters_json(const RunRecord& record) {
+  Json all = Json::object();
+  for (const ParameterValue& p : record.parameters) {
+    all[p.key] = {{"value", p.value}, {"unit", p.unit}, {"origin", p.origin}, {"meaning", p.help}};
+  }
+  return all;
+}
+
+Json hardware_json(const golden::HardwareConfig& c) {
+  return {{"VOXEL_BITS", c.voxel_bits},      {"VOXEL_FRAC_BITS", c.voxel_frac_bits},
+          {"NORMAL_BITS", c.normal_bits},    {"MATRIX_FRAC_BITS", c.matrix_frac_bits},
+          {"DEPTH_BITS", c.depth_bits},      {"PLANE_LOG2", c.plane_log2},
+          {"EN_VPU_OFFSET", c.en_vpu_offset}};
+}
+
+Json format_json(const char* name, int width, bool is_signed, int frac_bits) {
+  return {{"name", name}, {"width", width}, {"signed", is_signed}, {"frac_bits", frac_bits}};
+}
+
+/// The number formats of docs/vpu.md in this configuration.
+Json formats_json(const golden::HardwareConfig& c) {
+  const int p = c.position_bits(), f = c.matrix_frac_bits, d = c.depth_bits, n = c.normal_bits;
+  return {format_json("voxel position (voxels)", p, false, c.voxel_frac_bits),
+          format_json("normal component", n, true, n - 1),
+          format_json("u_acc, v_acc (entries)", f + p + 5, true, f),
+          format_json("d_acc (depth codes)", d + 2 * p + 6, true, p + 4),
+          format_json("g_u, g_v", f + n + 3, true, f),
+          format_json("g_d", d + p + n + 3, true, p + 4),
+          format_json("depth code", d, false, 0)};
+}
+
+Json registers_json(const RunRecord& record) {
+  Json all = Json::object();
+  for (const RegisterRecord& r : record.registers) {
+    all[r.name] = {
+        {"value", r.value}, {"width", r.width}, {"signed", r.is_signed}, {"frac_bits", r.frac_bits}};
+  }
+  return all;
+}
+
+Json grid_json(const voxel::Grid& grid) {
+  return {{"res", grid.res},
+          {"origin", vector_json(grid.origin)},
+          {"voxel_size", grid.voxel_size},
+          {"adjacency", static_cast<int>(grid.adjacency)}};
+}
+
+Json statistics_json(const scene::MeshStatistics& s) {
+  return {{"vertices", s.vertices},
+          {"unused_vertices", s.unused_vertices},
+          {"faces", s.faces},
+          {"triangles", s.triangles},
+          {"quads", s.quads},
+          {"ngons", s.ngons},
+          {"largest_face", s.largest_face},
+          {"hole_faces", s.hole_faces},
+          {"degenerate_faces", s.degenerate_faces},
+          {"edges", s.edges},
+          {"boundary_edges", s.boundary_edges},
+          {"non_manifold_edges", s.non_manifold_edges},
+          {"inconsistent_edges", s.inconsistent_edges},
+          {"unorientable_edges", s.unorientable_edges},
+          {"reversed_faces", s.reversed_faces},
+          {"extraordinary_vertices", s.extraordinary_vertices},
+          {"largest_valence", s.largest_valence},
+          {"creases", s.creases},
+          {"corners", s.corners}};
+}
+
+Json objects_json(const RunRecord& record) {
+  Json all = Json::array();
+  for (const ObjectRecord& object : record.objects) {
+    all.push_back({{"name", object.name},
+                   {"ground", object.ground},
+                   {"two_sided", object.two_sided},
+                   {"cage", statistics_json(object.statistics)}});
+  }
+  return all;
+}
+
+std::uint64_t event(const RunRecord& record, const std::string& name) {
+  const auto found = record.events.find(name);
+  return found == record.events.end() ? 0 : found->second;
+}
+
+Json voxels_json(const RunRecord& record) {
+  const voxel::VoxelStatistics& s = record.voxel_statistics;
+  const std::uint64_t uncertain = event(record, "RESOLVED_UNCERTAIN");
+  const std::uint64_t shadow = event(record, "RESOLVED_SHADOW");
+  return {{"count", record.voxels},
+          {"subpatches", s.subpatches},
+          {"evaluations", s.evaluations},
+          {"evaluations_per_voxel", ratio(s.evaluations, record.voxels)},
+          {"floor_hits", s.floor_hits},
+          {"zero_normals", s.zero_normals},
+          {"seconds", s.seconds},
+          {"mvoxels_per_second", ratio(static_cast<double>(record.voxels) * 1e-6, s.seconds)},
+          {"shadow", shadow},
+          {"shadow_share", ratio(shadow, record.voxels)},
+          {"facing_away", event(record, "RESOLVED_FACING_AWAY")},
+          {"uncertain", uncertain},
+          {"uncertain_share", ratio(uncertain, record.voxels)},
+          {"offset_empty", event(record, "RESOLVED_OFFSET_EMPTY")}};
+}
+
+Json plane_json(const RunRecord& record) {
+  const std::uint64_t entries = std::uint64_t{record.plane.side} * record.plane.side;
+  const std::uint64_t landed = event(record, "VOXELS_PROJECTED") - event(record, "PROJECT_OFF_PLANE");
+  return {{"side", record.plane.side},
+          {"pitch", record.plane.pitch},
+          {"entries", entries},
+          {"entries_hit", record.plane.entries_hit},
+          {"share_hit", ratio(record.plane.entries_hit, entries)},
+          {"voxels_per_entry_hit", ratio(landed, record.plane.entries_hit)},
+          {"off_plane", event(record, "PROJECT_OFF_PLANE")},
+          {"saturated", event(record, "PROJECT_SATURATED")}};
+}
+
+Json memory_json(const RunRecord& record) {
+  const std::uint64_t entries = std::uint64_t{record.plane.side} * record.plane.side;
+  const std::uint64_t res = record.grid.res;
+  return {{"plane_entries", entries},
+          {"plane_entry_bits", kPlaneEntryBits},
+          {"plane_bits", entries * kPlaneEntryBits},
+          {"plane_depth_bits", entries * static_cast<std::uint64_t>(record.hardware.depth_bits)},
+          {"frame_buffer_bits", 2 * res * res * res},
+          {"command_stream_bits", 64 * record.command_words}};
+}
+
+Json compare_json(const RunRecord& record) {
+  Json first = nullptr;
+  if (const auto& difference = record.compare.first) {
+    first = {{"word", difference->word},
+             {"command", difference->command},
+             {"expected", difference->expected},
+             {"actual", difference->actual},
+             {"text", difference->text}};
+  }
+  return {
+      {"words", record.compare.words}, {"differing", record.compare.differing}, {"first_difference", first}};
+}
+
+Json counts_json(const MislabelCounts& counts) {
+  const std::uint64_t wrong = counts.false_shadow + counts.false_lit;
+  return {{"samples", counts.samples},
+          {"mislabelled", wrong},
+          {"share", ratio(wrong, counts.samples)},
+          {"false_shadow", counts.false_shadow},
+          {"false_lit", counts.false_lit}};
+}
+
+Json part_json(const ErrorPart& part) {
+  Json boundary = nullptr;
+  if (part.boundary_displacement) boundary = *part.boundary_displacement;
+  return {{"all", counts_json(part.all)},
+          {"unambiguous", counts_json(part.unambiguous)},
+          {"samples", counts_json(part.samples)},
+          {"boundary_displacement", boundary}};
+}
+
+Json error_json(const ErrorRecord& error) {
+  Json json = part_json(error.total);
+  json["ground"] = part_json(error.ground);
+  json["models"] = part_json(error.models);
+  return json;
+}
+
+Json exact_json(const ExactRecord& exact) {
+  return {{"triangles", exact.triangles}, {"sag", exact.sag}, {"lift", exact.lift}, {"rays", exact.rays}};
+}
+
+Json picture_json(const PictureRecord& picture) {
+  return {{"width", picture.width},
+          {"height", picture.height},
+          {"mask", counts_json(picture.mask)},
+          {"intersection_over_union", picture.intersection_over_union},
+          {"rmse", picture.rmse}};
+}
+
+Json errors_json(const ErrorsRecord& errors) {
+  const std::uint64_t all = errors.fixed.total.all.samples;
+  const std::uint64_t unambiguous = errors.fixed.total.unambiguous.samples;
+  return {{"fixed", error_json(errors.fixed)},
+          {"double", error_json(errors.in_double)},
+          {"quantisation",
+           {{"differing", errors.quantised_differing},
+            {"share", ratio(errors.quantised_differing, all)},
+            {"unambiguous_differing", errors.quantised_differing_unambiguous},
+            {"unambiguous_share", ratio(errors.quantised_differing_unambiguous, unambiguous)}}}};
+}
+
+std::uint64_t total(const PassCycles& pass) {
+  return std::accumulate(pass.causes.begin(), pass.causes.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& cause) { return sum + cause.second; });
+}
+
+double wall_of(const RunRecord& record, std::string_view stage) {
+  const auto found = std::ranges::find(record.stages, stage, &StageTime::name);
+  return found == record.stages.end() ? 0 : found->wall_seconds;
+}
+
+Json cycles_json(const RunRecord& record) {
+  if (record.cycles.empty()) return nullptr;
+  Json passes = Json::object();
+  Json per_voxel = Json::object();
+  std::uint64_t sum = 0;
+  for (const PassCycles& pass : record.cycles) {
+    const std::uint64_t cycles = total(pass);
+    sum += cycles;
+    passes[pass.pass] = {{"total", cycles}, {"causes", pass.causes}};
+    if (pass.pass == "PROJECT") per_voxel["project"] = ratio(cycles, event(record, "VOXELS_PROJECTED"));
+    if (pass.pass == "RESOLVE") per_voxel["resolve"] = ratio(cycles, event(record, "VOXELS_RESOLVED"));
+  }
+  return {{"total", sum}, {"by_pass", passes}, {"per_voxel", per_voxel}};
+}
+
+Json run_time_json(const RunRecord& record, const Json& cycles) {
+  Json time = {{"clock_mhz", record.clock_mhz},
+               {"cycles", nullptr},
+               {"seconds_at_clock", nullptr},
+               {"simulation_mcycles_per_second", nullptr}};
+  if (!cycles.is_null()) {
+    const auto count = cycles["total"].get<double>();
+    time["cycles"] = cycles["total"];
+    time["seconds_at_clock"] = count / (record.clock_mhz * 1e6);
+    time["simulation_mcycles_per_second"] = ratio(count * 1e-6, wall_of(record, kRtlStage));
+  }
+  double wall = 0;
+  for (const StageTime& stage : record.stages) wall += stage.wall_seconds;
+  time["host_seconds"] = wall;
+  return time;
+}
+
+Json stages_json(const RunRecord& record) {
+  Json all = Json::array();
+  for (const StageTime& s : record.stages) {
+    all.push_back({{"name", s.name}, {"wall_seconds", s.wall_seconds}, {"user_seconds", s.user_seconds}});
+  }
+  return all;
+}
+
+}  // namespace
+
+Json metrics_json(const RunRecord& record) {
+  const Json cycles = cycles_json(record);
+  Json lights = Json::array();
+  for (const Light& light : record.lights) lights.push_back(light_json(light));
+  Json versions = Json::object();
+  for (const auto& [tool, version] : record.versions) versions[tool] = version;
+  return {{"schema", kMetricsSchema},
+          {"scene", {{"name", record.scene_name}, {"source", record.scene_source}}},
+          {"command", {{"line", shell_line(record.command_line)}, {"arguments", record.command_line}}},
+          {"started", record.started},
+          {"versions", versions},
+          {"engine", record.engine},
+          {"technique", record.technique},
+          {"seed", record.seed},
+          {"parameters", parameters_json(record)},
+          {"hardware", hardware_json(record.hardware)},
+          {"formats", formats_json(record.hardware)},
+          {"registers", registers_json(record)},
+          {"grid", grid_json(record.grid)},
+          {"lights", lights},
+          {"objects", objects_json(record)},
+          {"warnings", record.warnings},
+          {"compare", compare_json(record)},
+          {"errors", errors_json(record.errors)},
+          {"exact_reference", exact_json(record.exact)},
+          {"picture", picture_json(record.picture)},
+          {"cycles", cycles},
+          {"run_time", run_time_json(record, cycles)},
+          {"memory", memory_json(record)},
+          {"plane", plane_json(record)},
+          {"voxels", voxels_json(record)},
+          {"events", record.events},
+          {"stages", stages_json(record)}};
+}
+
+}  // namespace gnomon::report

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// metrics.json: every figure of a run, with the whole configuration. Keys, units and meanings:
+// docs/report.md.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "host/report/run_record.hpp"
+
+namespace gnomon::report {
+
+/// Grows whenever a key changes its meaning or goes; new keys leave it alone.
+inline constexpr int kMetricsSchema = 1;
+
+/// Stages whose time stands for a figure elsewhere in the report.
+inline constexpr std::string_view kGoldenStage = "golden engine";
+inline constexpr std::string_view kRtlStage = "rtl engine";
+inline constexpr std::string_view kDoubleStage = "double reference";
+inline constexpr std::string_view kExactStage = "exact reference";
+
+nlohmann::ordered_json metrics_json(const RunRecord& record);
+
+}  // namespace gnomon::report
