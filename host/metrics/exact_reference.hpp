@@ -23,7 +23,7 @@ struct DirectionalLight {
 enum class Exact : std::uint8_t {
   Lit,
   Cast,      ///< faces the light, but something is in between
-  Attached,  ///< faces away from the light (closed surfaces only)
+  Attached,  ///< faces away from the light, or is edge-on to it (cosine below 1e-9)
 };
 constexpr bool in_shadow(Exact answer) {
   return answer != Exact::Lit;

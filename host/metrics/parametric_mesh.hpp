@@ -21,9 +21,10 @@ struct ParamRect {
 /// every vertex that either side has on it, so the triangles of a closed surface close too
 /// (docs/rendering.md, "No cracks").
 struct ParametricMesh {
-  Vec3 center;                               ///< what `points` are relative to, for precision in float
-  std::vector<std::array<float, 3>> points;  ///< limit positions minus `center`, grid coordinates
-  std::vector<std::array<float, 2>> params;  ///< (u, v) of each point in its triangle's face
+  Vec3 center;                                ///< what `points` are relative to, for precision in float
+  std::vector<std::array<float, 3>> points;   ///< limit positions minus `center`, grid coordinates
+  std::vector<std::array<float, 3>> normals;  ///< unit limit normals of the points, if asked for
+  std::vector<std::array<float, 2>> params;   ///< (u, v) of each point in its triangle's face
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into points; winding follows du x dv
   std::vector<std::uint32_t> rect_of_triangle;          ///< index into the given rectangles
 };
@@ -31,6 +32,6 @@ struct ParametricMesh {
 /// `rects` must tile every face they name; any order. Multithreaded; the result does not depend on the thread
 /// count.
 ParametricMesh triangulate(const surface::LimitSurface& surface, std::span<const ParamRect> rects,
-                           const Vec3& center);
+                           const Vec3& center, bool normals = false);
 
 }  // namespace gnomon::metrics

@@ -68,6 +68,10 @@ struct ErrorOptions {
 ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxels,
                            std::span<const golden::VoxelState> states, const ErrorOptions& options);
 
+/// The answer of every sample where voxels answer: 1 for shadow. `states` as in shadow_errors.
+std::vector<std::uint8_t> sample_answers(const ShadowTruth& truth,
+                                         std::span<const golden::VoxelState> states);
+
 /// Only the sample part, for techniques that answer at any point: `shadowed[i]` belongs to truth.samples[i].
 ByReceiver<Displacement> displacement(const ShadowTruth& truth, std::span<const std::uint8_t> shadowed,
                                       const ErrorOptions& options);

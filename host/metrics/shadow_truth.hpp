@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "host/metrics/exact_reference.hpp"
+#include "host/metrics/progress.hpp"
+#include "host/metrics/voxel_index.hpp"
 #include "host/voxel/voxel_set.hpp"
 
 namespace gnomon::metrics {
@@ -16,11 +18,8 @@ namespace gnomon::metrics {
 struct TruthOptions {
   double spacing = 0.5;  ///< voxels: surface samples are no farther apart along either parameter
   std::function<void(double done)> progress;  ///< called with 0..1, one call at a time; may be empty
-  std::function<bool()> cancelled;  ///< polled; true makes the work end early with Cancelled; may be empty
+  std::function<bool()> cancelled;            ///< polled; true makes it end with Cancelled; may be empty
 };
-
-/// Thrown where TruthOptions::cancelled or render's counterpart returned true.
-struct Cancelled {};
 
 /// One sample: the centre of a small rectangle of parameter space.
 struct SurfaceSample {
@@ -31,13 +30,15 @@ struct SurfaceSample {
   std::uint16_t object;
   Exact exact;
 };
-inline constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
 
 /// Length of the exact shadow's border, projected along the light, in voxels.
 struct BorderLength {
   double cast = 0;      ///< between lit surface and shadow cast on it
   double attached = 0;  ///< terminators: between lit surface and surface that faces away
   double total() const { return cast + attached; }
+  friend BorderLength operator+(const BorderLength& a, const BorderLength& b) {
+    return {a.cast + b.cast, a.attached + b.attached};
+  }
 };
 
 struct ShadowTruth {

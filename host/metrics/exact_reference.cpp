@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why the start is lifted by the surface's normal, and by how much: docs/error-metrics.md, "Exact shadows".
+#include "host/metrics/exact_reference.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "host/metrics/parametric_mesh.hpp"
+#include "host/metrics/ray_scene.hpp"
+
+namespace gnomon::metrics {
+namespace {
+
+/// Cosines below this are rounding: a surface along the light's way is not lit by it.
+constexpr double kEdgeOn = 1e-9;
+
+Box3 bounds_of(std::span<const surface::LimitSurface> surfaces) {
+  Box3 box;
+  for (const surface::LimitSurface& surface : surfaces) box.extendBy(surface.bounds());
+  if (box.isEmpty()) box.extendBy(Vec3(0, 0, 0));
+  return box;
+}
+
+Vec3 unit_towards_light(const DirectionalLight& light) {
+  const double length = light.travel.length();
+  if (!(length > 0) || !(length < std::numeric_limits<double>::infinity()))
+    throw std::invalid_argument("a directional light needs a finite direction that is not zero");
+  return light.travel * (-1.0 / length);
+}
+
+/// Twice the sag puts the start clear of the tessellation; the rest covers single precision in Embree.
+double start_lift(double sag, const Box3& box) {
+  const double extent = box.size().length();
+  return 2 * sag + 4 * extent * std::numeric_limits<float>::epsilon();
+}
+
+}  // namespace
+
+struct ExactReference::Impl {
+  Impl(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided_objects,
+       const DirectionalLight& light, const TessellationOptions& options)
+      : two_sided(std::move(two_sided_objects)),
+        to_light(unit_towards_light(light)),
+        scene(bounds_of(surfaces).center()) {
+    const Box3 box = bounds_of(surfaces);
+    const Tessellation cells = tessellate(surfaces, options);
+    sag = cells.sag;
+    lift = start_lift(sag, box);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      const ParametricMesh mesh = triangulate(surfaces[i], cells.rects[i], box.center());
+      triangles += mesh.triangles.size();
+      scene.add(mesh.points, mesh.triangles);
+    }
+    scene.commit();
+  }
+
+  Exact classify(const SurfaceQuery& query) {
+    Vec3 normal = query.normal;
+    double facing = normal.dot(to_light);
+    if (facing < 0 && query.object < two_sided.size() && two_sided[query.object]) {
+      normal = -normal;
+      facing = -facing;
+    }
+    if (!(facing > kEdgeOn)) return Exact::Attached;
+    ++rays.local();
+    return scene.any_hit(query.point + normal * lift, to_light) ? Exact::Cast : Exact::Lit;
+  }
+
+  std::vector<bool> two_sided;
+  Vec3 to_light;
+  RayScene scene;
+  double sag = 0, lift = 0;
+  std::size_t triangles = 0;
+  tbb::enumerable_thread_specific<std::uint64_t> rays{std::uint64_t{0}};
+};
+
+ExactReference::ExactReference(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided,
+                               const DirectionalLight& light, const TessellationOptions& options)
+    : impl_(std::make_unique<Impl>(surfaces, std::move(two_sided), light, options)) {}
+ExactReference::ExactReference(ExactReference&&) noexcept = default;
+ExactReference& ExactReference::operator=(ExactReference&&) noexcept = default;
+ExactReference::~ExactReference() = default;
+
+Exact ExactReference::classify(const SurfaceQuery& query) const {
+  return impl_->classify(query);
+}
+
+bool ExactReference::occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const {
+  return in_shadow(classify(SurfaceQuery{point, normal, object}));
+}
+
+std::vector<Exact> ExactReference::classify(std::span<const SurfaceQuery> queries) const {
+  std::vector<Exact> answers(queries.size());
+  tbb::parallel_for(std::size_t{0}, queries.size(),
+                    [&](std::size_t i) { answers[i] = impl_->classify(queries[i]); });
+  return answers;
+}
+
+Vec3 ExactReference::to_light() const {
+  return impl_->to_light;
+}
+double ExactReference::sag() const {
+  return impl_->sag;
+}
+double ExactReference::lift() const {
+  return impl_->lift;
+}
+std::size_t ExactReference::triangles() const {
+  return impl_->triangles;
+}
+std::uint64_t ExactReference::rays() const {
+  return impl_->rays.combine([](std::uint64_t a, std::uint64_t b) { return a + b; });
+}
+
+}  // namespace gnomon::metrics

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Classifies samples and voxels, then asks where the answers change.
+#include "host/metrics/shadow_truth.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "host/metrics/cell_answers.hpp"
+#include "host/metrics/sample_grid.hpp"
+#include "host/metrics/shadow_border.hpp"
+
+namespace gnomon::metrics {
+namespace {
+
+class Sampler {
+ public:
+  Sampler(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
+          const voxel::VoxelSet& voxels)
+      : reference_(reference), surfaces_(surfaces), index_(voxels) {}
+
+  SurfaceSample sample(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) const {
+    const surface::LimitSurface& surface = surfaces_[grid.object];
+    const double u = (i + 0.5) / grid.nu;
+    const double v = (j + 0.5) / grid.nv;
+    const surface::SurfacePoint p = surface.evaluate(grid.face, u, v);
+    const Vec3 across = p.du.cross(p.dv);
+    const double area = std::abs(across.dot(reference_.to_light())) / (double{1} * grid.nu * grid.nv);
+    const SurfaceQuery query{p.position, surface.normal(grid.face, u, v), grid.object};
+    return {static_cast<float>(p.position.x), static_cast<float>(p.position.y),
+            static_cast<float>(p.position.z), static_cast<float>(area),
+            index_.answering(p.position),     static_cast<std::uint16_t>(grid.object),
+            reference_.classify(query)};
+  }
+
+ private:
+  const ExactReference& reference_;
+  std::span<const surface::LimitSurface> surfaces_;
+  VoxelIndex index_;
+};
+
+std::vector<SurfaceSample> take_samples(const Sampler& sampler, const SampleGrids& grids,
+                                        const TruthOptions& options) {
+  std::vector<SurfaceSample> samples(grids.cells);
+  const std::vector<GridRow> rows = grids.cell_rows();
+  Progress progress(rows.size(), options.progress, options.cancelled);
+  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t r) {
+    const FaceGrid& grid = grids.faces[rows[r].grid];
+    for (std::uint32_t i = 0; i < grid.nu; ++i)
+      samples[grid.cell(i, rows[r].row)] = sampler.sample(grid, i, rows[r].row);
+    progress.step();
+  });
+  return samples;
+}
+
+std::vector<Exact> voxel_answers(const ExactReference& reference,
+                                 std::span<const surface::LimitSurface> surfaces,
+                                 const voxel::VoxelSet& voxels) {
+  std::vector<Exact> answers(voxels.voxels.size());
+  // From the parameters, not from the stored point and normal: those are single precision.
+  tbb::parallel_for(std::size_t{0}, answers.size(), [&](std::size_t i) {
+    const voxel::Voxel& v = voxels.voxels[i];
+    answers[i] = exact_at(reference, surfaces, v.object, v.face, double{v.u}, double{v.v});
+  });
+  return answers;
+}
+
+}  // namespace
+
+ShadowTruth shadow_truth(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
+                         const voxel::VoxelSet& voxels, const TruthOptions& options) {
+  if (!(options.spacing > 0)) throw std::invalid_argument("sample spacing must be positive");
+  const auto start = std::chrono::steady_clock::now();
+  const std::uint64_t rays_before = reference.rays();
+  ShadowTruth truth;
+  truth.sag = reference.sag();
+  const SampleGrids grids = sample_grids(surfaces, options.spacing);
+  truth.samples = take_samples(Sampler(reference, surfaces, voxels), grids, options);
+  truth.voxels = voxel_answers(reference, surfaces, voxels);
+  truth.unambiguous = unambiguous_voxels(voxels, truth.voxels, truth.samples);
+  std::vector<Exact> centers(truth.samples.size());
+  for (std::size_t i = 0; i < centers.size(); ++i) centers[i] = truth.samples[i].exact;
+  truth.border = shadow_border(reference, surfaces, grids, centers, options.spacing);
+  truth.rays = reference.rays() - rays_before;
+  truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return truth;
+}
+
+}  // namespace gnomon::metrics
