@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model spec in Verilator's words.
+#include "sim/model_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace gnomon::sim {
+
+namespace {
+
+/// Every parameter of gnomon_top with its value.
+std::vector<std::pair<const char*, int>> parameters(const golden::HardwareConfig& config) {
+  return {{"VOXEL_BITS", config.voxel_bits},
+          {"VOXEL_FRAC_BITS", config.voxel_frac_bits},
+          {"NORMAL_BITS", config.normal_bits},
+          {"MATRIX_FRAC_BITS", config.matrix_frac_bits},
+          {"DEPTH_BITS", config.depth_bits},
+          {"PLANE_LOG2", config.plane_log2},
+          {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0}};
+}
+
+}  // namespace
+
+std::string describe(const golden::HardwareConfig& config) {
+  std::string text;
+  for (const auto& [name, value] : parameters(config)) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value);
+  }
+  return text;
+}
+
+std::string describe(const ModelSpec& spec) {
+  std::string text = describe(spec.config);
+  for (const std::string& define : spec.defines) text += " " + define;
+  if (spec.trace) text += " (with waveforms)";
+  if (spec.coverage) text += " (with coverage)";
+  if (spec.assertions) text += " (with assertions)";
+  if (spec.plain_bit_operations) text += " (with plain bit operations)";
+  return text;
+}
+
+std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
+  // Waveforms are in ns. What is x in SystemVerilog is random here, so that a result depending on it shows
+  // up.
+  std::vector<std::string> arguments{
+      "--cc",   "--top-module", "gnomon_top", "--prefix",  "Vgnomon_top",          "-O3",    "--x-assign",
+      "unique", "--x-initial",  "unique",     "--savable", "--timescale-override", "1ns/1ns"};
+  for (const auto& [name, value] : parameters(spec.config)) {
+    arguments.push_back(fmt::format("-G{}={}", name, value));
+  }
+  for (const std::string& define : spec.defines) arguments.push_back("+define+" + define);
+  if (spec.trace) arguments.insert(arguments.end(), {"--trace-fst", "--trace-structs"});
+  if (spec.coverage)
+    arguments.insert(arguments.end(), {"--coverage-line", "--coverage-toggle", "--coverage-user"});
+  if (spec.assertions) arguments.push_back("--assert");
+  if (spec.plain_bit_operations) arguments.push_back("-fno-const-bit-op-tree");
+  return arguments;
+}
+
+}  // namespace gnomon::sim

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which model of the hardware is wanted.
+#pragma once
+
+#include <gnomon/golden/config.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon::sim {
+
+/// Everything that decides what a compiled model does, besides the RTL itself.
+struct ModelSpec {
+  golden::HardwareConfig config;
+  bool trace = false;       ///< can write waveforms; up to a third slower even while it writes none
+  bool coverage = false;    ///< counts lines and toggles
+  bool assertions = false;  ///< the RTL's assertions stop the model
+  /// Without Verilator's rewriting of bit operations (-fno-const-bit-op-tree), a source of wrong code in some
+  /// of its versions: for the test that both give the same answers.
+  bool plain_bit_operations = false;
+  std::vector<std::string> defines;  ///< preprocessor names, e.g. a GNOMON_MUTATE_* fault
+
+  bool operator==(const ModelSpec&) const = default;
+};
+
+/// "VOXEL_BITS=8 VOXEL_FRAC_BITS=2 ...", every parameter.
+std::string describe(const golden::HardwareConfig& config);
+/// The same, and whatever else is special about the model.
+std::string describe(const ModelSpec& spec);
+
+/// Verilator's arguments for the spec: parameters, defines and instrumentation.
+std::vector<std::string> verilator_arguments(const ModelSpec& spec);
+
+}  // namespace gnomon::sim

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The environment's say in how models are made.
+#include "sim/toolchain.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+namespace gnomon::sim {
+
+namespace {
+
+std::string environment(const char* name, const std::string& fallback = {}) {
+  const char* value = std::getenv(name);
+  return value && *value ? std::string(value) : fallback;
+}
+
+std::filesystem::path cache_dir_from_environment() {
+  if (const std::string dir = environment("GNOMON_CACHE_DIR"); !dir.empty()) return dir;
+  if (const std::string dir = environment("XDG_CACHE_HOME"); !dir.empty())
+    return std::filesystem::path(dir) / "gnomon";
+  if (const std::string dir = environment("HOME"); !dir.empty())
+    return std::filesystem::path(dir) / ".cache" / "gnomon";
+  throw std::runtime_error("no folder for compiled models: set GNOMON_CACHE_DIR");
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string first_line_of_version(const std::string& program) {
+  const std::string command = quoted(program) + " --version 2>/dev/null";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::array<char, 256> line{};
+  if (!pipe || !std::fgets(line.data(), static_cast<int>(line.size()), pipe.get())) {
+    throw std::runtime_error("'" + program +
+                             "' does not run; compiled models need Verilator and a C++ compiler");
+  }
+  return line.data();
+}
+
+}  // namespace
+
+Toolchain Toolchain::from_environment() {
+  Toolchain tools;
+  tools.cache_dir = std::filesystem::absolute(cache_dir_from_environment());
+  tools.rtl_dir = std::filesystem::absolute(environment("GNOMON_RTL_DIR", GNOMON_BUILT_WITH_RTL_DIR));
+  tools.verilator = environment("VERILATOR", GNOMON_BUILT_WITH_VERILATOR);
+  tools.verilator_root = environment("VERILATOR_ROOT", GNOMON_BUILT_WITH_VERILATOR_ROOT);
+  if (const std::string launcher = GNOMON_BUILT_WITH_LAUNCHER; std::filesystem::exists(launcher)) {
+    tools.compiler.push_back(launcher);
+  }
+  tools.compiler.push_back(environment("GNOMON_CXX", GNOMON_BUILT_WITH_CXX));
+  return tools;
+}
+
+std::string Toolchain::versions() const {
+  return first_line_of_version(verilator) + first_line_of_version(compiler.back());
+}
+
+}  // namespace gnomon::sim
