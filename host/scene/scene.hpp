@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Object {
   std::string name;
   ControlMesh mesh;        ///< in its own coordinates
   Mat4 to_world;           ///< row vectors: p_world = p * to_world
+  Box3 bounds;             ///< of its limit surface, in the world
   bool ground = false;     ///< the receiver that was put under the models
   bool two_sided = false;  ///< an open surface: it has no inside, both of its sides can be lit
   MeshStatistics statistics;
@@ -55,7 +57,8 @@ enum class SurfaceKind : std::uint8_t {
 /// What applies where the file itself does not say: a bare OBJ says none of it.
 struct SceneOptions {
   bool ground = true;
-  Vec3 light{0.45, -1, -0.4};  ///< the way the light travels, any length but zero
+  std::optional<Vec3> light;  ///< the way the light travels; replaces a scene file's lights. Where neither
+                              ///< says: from the upper left, in front
   UpAxis up = UpAxis::Y;
   SurfaceKind surface = SurfaceKind::CatmullClark;
   double image_aspect = 4.0 / 3.0;  ///< width by height, for a camera that fits
@@ -64,9 +67,6 @@ struct SceneOptions {
 /// Loads a bare OBJ, which gets a ground, a light and a camera that fit it, or a scene file (.json, .toml;
 /// docs/models.md). Errors are one line naming file, line or key.
 Result<Scene> load_scene(const std::filesystem::path& path, const SceneOptions& options = {});
-
-/// Box of an object's limit surface in the world (a little larger: its control points' hull for huge cages).
-Result<Box3> world_bounds(const Object& object);
 
 /// The grid that holds all objects with a margin of at least one voxel; the longest side of their box fills
 /// it. Along every axis the box begins at a voxel's centre, so that a ground plane does not run along voxel

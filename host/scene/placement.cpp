@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where things are and how large.
+#include "host/scene/placement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace gnomon::scene {
+namespace {
+
+/// The axes of the ground's rectangle for an up axis.
+struct Axes {
+  int up, first, second;  ///< first x second = +up
+};
+
+Axes axes(UpAxis up) {
+  return up == UpAxis::Y ? Axes{1, 2, 0} : Axes{2, 0, 1};
+}
+
+double largest_side(const Box3& box) {
+  return std::max({box.size().x, box.size().y, box.size().z});
+}
+
+std::array<Vec3, 8> corners(const Box3& box) {
+  std::array<Vec3, 8> all;
+  for (unsigned i = 0; i < all.size(); ++i) {
+    all[i] = {(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+              (i & 4U) != 0 ? box.max.z : box.min.z};
+  }
+  return all;
+}
+
+/// Footprint of the models and of their shadows on the plane through their lowest point; its height is that
+/// plane's.
+Box3 shadow_footprint(const Box3& models, const Axes& a, std::span<const DirectionalLight> lights) {
+  const double floor = models.min[a.up];
+  const double height = models.max[a.up] - floor;
+  const double longest = largest_side(models);
+  Box3 footprint = models;
+  for (const DirectionalLight& light : lights) {
+    if (!(light.direction[a.up] < 0)) continue;  // from below: no shadow on the ground
+    Vec3 reach = light.direction * (height / -light.direction[a.up]);
+    reach[a.up] = 0;
+    if (reach.length() > longest) reach *= longest / reach.length();
+    footprint.extendBy(models.min + reach);
+    footprint.extendBy(models.max + reach);
+  }
+  footprint.min[a.up] = footprint.max[a.up] = floor;
+  const double border = 0.15 * longest;
+  for (const int axis : {a.first, a.second}) {
+    footprint.min[axis] -= border;
+    footprint.max[axis] += border;
+  }
+  return footprint;
+}
+
+}  // namespace
+
+Vec3 up_direction(UpAxis up) {
+  return up == UpAxis::Y ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+}
+
+DirectionalLight default_light(UpAxis up) {
+  return {(up == UpAxis::Y ? Vec3(0.45, -1, -0.4) : Vec3(0.45, 0.4, -1)).normalized()};
+}
+
+Object make_ground(const Box3& models, UpAxis up, std::span<const DirectionalLight> lights) {
+  constexpr std::int32_t kCells = 4;
+  const Axes a = axes(up);
+  const Box3 area = shadow_footprint(models, a, lights);
+  Object ground;
+  ground.name = "ground";
+  ground.ground = true;
+  ground.two_sided = true;
+  ground.mesh.name = "ground";
+  ground.mesh.boundary = Boundary::EdgeAndCorner;
+  for (std::int32_t j = 0; j <= kCells; ++j) {
+    for (std::int32_t i = 0; i <= kCells; ++i) {
+      Vec3 p = area.min;
+      p[a.first] += (area.max[a.first] - area.min[a.first]) * i / kCells;
+      p[a.second] += (area.max[a.second] - area.min[a.second]) * j / kCells;
+      ground.mesh.positions.push_back(p);
+    }
+  }
+  const auto vertex = [](std::int32_t i, std::int32_t j) { return j * (kCells + 1) + i; };
+  for (std::int32_t j = 0; j < kCells; ++j) {
+    for (std::int32_t i = 0; i < kCells; ++i) {
+      ground.mesh.face_sizes.push_back(4);
+      for (const std::int32_t v : {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}) {
+        ground.mesh.face_indices.push_back(v);
+      }
+    }
+  }
+  ground.bounds = area;
+  ground.statistics = measure(ground.mesh);
+  return ground;
+}
+
+Camera fit_camera(const Box3& models, const Box3& all, UpAxis up, double image_aspect) {
+  Camera camera;
+  camera.up = up_direction(up);
+  const Vec3 side(1, 0, 0);
+  const Vec3 front = up == UpAxis::Y ? Vec3(0, 0, 1) : Vec3(0, -1, 0);
+  const Vec3 towards_eye = (front + side * 0.55 + camera.up * 0.6).normalized();
+  const Vec3 right = camera.up.cross(towards_eye).normalized();
+  const Vec3 above = towards_eye.cross(right);
+  camera.target = models.center() * 0.75 + all.center() * 0.25;
+
+  // Everything within the picture: for each corner, the distance at which it just touches the frame.
+  const double tan_vertical = std::tan(camera.fov * std::numbers::pi / 360);
+  const double tan_horizontal = tan_vertical * image_aspect;
+  double distance = 0;
+  const auto hold = [&](const Vec3& point) {
+    const Vec3 p = point - camera.target;
+    const double depth = p.dot(towards_eye);
+    distance = std::max({distance, depth + std::abs(p.dot(right)) / tan_horizontal,
+                         depth + std::abs(p.dot(above)) / tan_vertical});
+  };
+  for (const Vec3& corner : corners(models)) hold(corner);
+  // The ground may leave the picture by a little: its far corners are the least interesting part.
+  for (const Vec3& corner : corners(all)) hold(camera.target + (corner - camera.target) * 0.85);
+  camera.eye = camera.target + towards_eye * (1.05 * distance);
+  return camera;
+}
+
+}  // namespace gnomon::scene
