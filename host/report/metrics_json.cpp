@@ -160,17 +160,15 @@ Json memory_json(const RunRecord& record) {
           {"command_stream_bits", 64 * record.command_words}};
 }
 
-Json compare_json(const RunRecord& record) {
-  Json first = nullptr;
-  if (const auto& difference = record.compare.first) {
-    first = {{"word", difference->word},
-             {"command", difference->command},
-             {"expected", difference->expected},
-             {"actual", difference->actual},
-             {"text", difference->text}};
-  }
-  return {
-      {"words", record.compare.words}, {"differing", record.compare.differing}, {"first_difference", first}};
+Json compare_json(const CompareRecord& compare) {
+  return {{"compared", compare.compared},
+          {"words", compare.words},
+          {"differing", compare.differing},
+          {"other_faults", compare.other_faults},
+          {"failed", compare.failed()},
+          {"verdict", verdict(compare)},
+          {"first_difference", Json(compare.first)},
+          {"text", compare.text}};
 }
 
 Json counts_json(const MislabelCounts& counts) {
@@ -274,6 +272,15 @@ Json stages_json(const RunRecord& record) {
 
 }  // namespace
 
+std::string verdict(const CompareRecord& compare) {
+  if (!compare.compared) return "nothing compared: the golden engine ran alone";
+  std::string text =
+      with_commas(compare.words) + " words compared, " + with_commas(compare.differing) + " differ";
+  if (compare.words == 0) text += ": nothing is verified";
+  if (compare.other_faults != 0) text += "; " + with_commas(compare.other_faults) + " other faults";
+  return text;
+}
+
 Json metrics_json(const RunRecord& record) {
   const Json cycles = cycles_json(record);
   Json lights = Json::array();
@@ -296,7 +303,7 @@ Json metrics_json(const RunRecord& record) {
           {"lights", lights},
           {"objects", objects_json(record)},
           {"warnings", record.warnings},
-          {"compare", compare_json(record)},
+          {"compare", compare_json(record.compare)},
           {"errors", errors_json(record.errors)},
           {"exact_reference", exact_json(record.exact)},
           {"picture", picture_json(record.picture)},

@@ -16,21 +16,25 @@ Json tile(const char* name, std::string value, std::string note) {
   return {{"name", name}, {"value", std::move(value)}, {"note", std::move(note)}};
 }
 
-Json verdict(const Json& m) {
-  const Json& c = m["compare"];
-  const bool compared = c["words"].get<std::uint64_t>() > 0;
-  const bool good = compared && c["differing"] == 0;
-  Json view = {{"verdict_good", good}, {"verdict_bad", compared && !good}, {"verdict_none", !compared}};
-  view["verdict"] =
-      compared ? fmt::format("{} words compared, {} differ", count(c["words"]), count(c["differing"]))
-               : "Nothing compared: the golden engine ran alone";
-  view["difference"] = false;
-  if (const Json& first = c["first_difference"]; !first.is_null()) {
-    view["difference"] = {{"word", count(first["word"])},
-                          {"command", count(first["command"])},
-                          {"expected", first["expected"]},
-                          {"actual", first["actual"]},
-                          {"text", first["text"]}};
+Json verdict_view(const Json& compare) {
+  const bool compared = compare["compared"], failed = compare["failed"];
+  Json view = {{"verdict_good", compared && !failed}, {"verdict_bad", failed},
+               {"verdict_none", !compared},           {"verdict", compare["verdict"]},
+               {"difference_text", compare["text"]},  {"first", false}};
+  if (const Json& first = compare["first_difference"]; !first.is_null()) {
+    const auto word = [&](const char* engine) {
+      return first[engine].is_null()
+                 ? std::string("no such word")
+                 : fmt::format("{} {}", plain(first[engine]["word"]), plain(first[engine]["fields"]));
+    };
+    view["first"] = {
+        {"word", count(first["result_index"])},
+        {"command", first.contains("command") ? plain(first["command"]) : kNone},
+        {"command_index", first.contains("command_index") ? count(first["command_index"]) : kNone},
+        {"cycle", first.contains("cycle") ? count(first["cycle"]) : kNone},
+        {"item", first.contains("item") ? plain(first["item"]) : kNone},
+        {"expected", word("expected")},
+        {"actual", word("rtl")}};
   }
   return view;
 }
@@ -75,7 +79,7 @@ std::string light_text(const Json& light) {
 }  // namespace
 
 Json summary_section(const Json& m) {
-  Json view = verdict(m);
+  Json view = verdict_view(m["compare"]);
   view["title"] = m["scene"]["name"];
   view["source"] = m["scene"]["source"];
   view["started"] = m["started"];

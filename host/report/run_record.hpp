@@ -42,22 +42,22 @@ struct ObjectRecord {
   scene::MeshStatistics statistics;
 };
 
-/// Where the engine under test first answered something else than golden.
-struct Difference {
-  std::uint64_t word = 0;     ///< index in the result stream
-  std::uint64_t command = 0;  ///< index of the command that the word answers
-  std::string expected;       ///< golden's word, decoded
-  std::string actual;         ///< the other engine's word, decoded
-  std::string
-      text;  ///< the whole difference in words, several lines: command, cycle, fields, how to reproduce
+/// What came of comparing the engine under test with golden.
+struct CompareRecord {
+  bool compared = false;        ///< false: golden ran alone
+  std::uint64_t words = 0;      ///< result words that both gave
+  std::uint64_t differing = 0;  ///< of these
+  /// Words that only one gave, event counters that differ, a hang or a failed assertion.
+  std::uint64_t other_faults = 0;
+  std::string text;      ///< where it failed: several lines that name word, command, cycle and fields of both
+  nlohmann::json first;  ///< the first differing word (docs/report.md), null if there is none
+
+  /// A comparison that compared nothing has failed, too.
+  bool failed() const { return compared && (words == 0 || differing != 0 || other_faults != 0); }
 };
 
-/// Result words and counters compared with golden. `words` is 0 where one engine ran alone.
-struct CompareRecord {
-  std::uint64_t words = 0;
-  std::uint64_t differing = 0;  ///< words, and counters and words that only one engine has
-  std::optional<Difference> first;
-};
+/// "1,234 words compared, 0 differ", or what else there is to say, in one line.
+std::string verdict(const CompareRecord& compare);
 
 /// Answers against the exact reference. `samples` is the number of voxels they were counted over.
 struct MislabelCounts {
