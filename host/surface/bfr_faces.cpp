@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets up one Bfr surface per cage face, with the refinement levels that make it exact enough.
-#include "host/surface/bfr_faces.hpp"
-
+// Sets up one Bfr surface per cage face, and evaluates it.
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
+#include <opensubdiv/bfr/surface.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -10,6 +9,7 @@
 #include <mutex>
 #include <shared_mutex>
 
+#include "host/surface/face_source.hpp"
 #include "host/surface/osd_refiner.hpp"
 #include "host/surface/osd_warnings.hpp"
 
@@ -21,10 +21,6 @@ namespace bfr = OpenSubdiv::Bfr;
 using Cache = bfr::SurfaceFactoryCacheThreaded<std::shared_mutex, std::shared_lock<std::shared_mutex>,
                                                std::unique_lock<std::shared_mutex>>;
 using Factory = bfr::RefinerSurfaceFactory<Cache>;
-
-// The default levels err by 0.6 % of the model's size at a cube's corners. The level for sharp features
-// silently caps the one for smooth features, and must reach the largest finite sharpness, 10: so both are 10.
-constexpr int kApproximationLevel = 10;
 
 bfr::Surface<double>::PointDescriptor packed() {
   return {3, 3};
@@ -42,7 +38,30 @@ Coordinates face_coordinates(const bfr::Surface<double>& s, int sub_face, double
   return out;
 }
 
-}  // namespace
+class BfrFaces final : public FaceSource {
+ public:
+  explicit BfrFaces(const Cage& cage);
+
+  bool valid(int cage_face) const override {
+    return surfaces_[static_cast<std::size_t>(cage_face)].IsValid();
+  }
+  bool regular(int cage_face) const override {
+    return surfaces_[static_cast<std::size_t>(cage_face)].IsRegular();
+  }
+  Vec3 position(ParametricFace face, double u, double v) const override;
+  SurfacePoint evaluate(ParametricFace face, double u, double v) const override;
+  const std::vector<std::string>& warnings() const override { return warnings_; }
+
+ private:
+  const double* points(int cage_face) const {
+    return points_.data() + first_point_[static_cast<std::size_t>(cage_face)];
+  }
+
+  std::vector<bfr::Surface<double>> surfaces_;
+  std::vector<std::size_t> first_point_;  // of each face in points_, counted in doubles
+  std::vector<double> points_;            // patch points, x y z
+  std::vector<std::string> warnings_;
+};
 
 BfrFaces::BfrFaces(const Cage& cage) {
   OsdWarnings collected;
@@ -93,6 +112,12 @@ SurfacePoint BfrFaces::evaluate(ParametricFace face, double u, double v) const {
     p.dv *= 0.5;
   }
   return p;
+}
+
+}  // namespace
+
+std::unique_ptr<FaceSource> make_bfr_faces(const Cage& cage) {
+  return std::make_unique<BfrFaces>(cage);
 }
 
 }  // namespace gnomon::surface

@@ -27,8 +27,8 @@ double diagonal(const std::vector<Vec3>& points) {
 
 class BorderBuilder {
  public:
-  BorderBuilder(const Cage& cage, const BfrFaces& bfr, const std::vector<ParametricFace>& faces)
-      : cage_(cage), bfr_(bfr), faces_(faces), tolerance_(kAgreement * diagonal(cage.positions)) {
+  BorderBuilder(const Cage& cage, const FaceSource& source, const std::vector<ParametricFace>& faces)
+      : cage_(cage), source_(source), faces_(faces), tolerance_(kAgreement * diagonal(cage.positions)) {
     number_faces();
     find_owners();
   }
@@ -92,7 +92,7 @@ class BorderBuilder {
     return {parametric(v.face, 0), v.index == 1 || v.index == 2 ? 1.0 : 0.0, v.index >= 2 ? 1.0 : 0.0};
   }
 
-  Vec3 raw(Place p) const { return bfr_.position(faces_[p.face], p.u, p.v); }
+  Vec3 raw(Place p) const { return source_.position(faces_[p.face], p.u, p.v); }
   bool agree(Place a, Place b) const { return (raw(a) - raw(b)).length() <= tolerance_; }
 
   bool reversed(Feature a, Feature b) const {
@@ -121,7 +121,7 @@ class BorderBuilder {
     edge_owner_.resize(cage_.indices.size());
     vertex_owner_.resize(cage_.indices.size());
     for (int f = 0; f < cage_.face_count(); ++f) {
-      if (!bfr_.valid(f)) continue;
+      if (!source_.valid(f)) continue;
       for (int k = 0; k < cage_.sizes[index(f)]; ++k) {
         const Feature feature{f, k};
         const int a = cage_.face(f)[index(k)];
@@ -183,7 +183,7 @@ class BorderBuilder {
   }
 
   const Cage& cage_;
-  const BfrFaces& bfr_;
+  const FaceSource& source_;
   const std::vector<ParametricFace>& faces_;
   double tolerance_;
   std::vector<std::uint32_t> first_;  // parametric face of each cage face
@@ -192,8 +192,8 @@ class BorderBuilder {
   std::uint32_t torn_ = 0;
 };
 
-Borders::Borders(const Cage& cage, const BfrFaces& bfr, const std::vector<ParametricFace>& faces) {
-  const BorderBuilder builder(cage, bfr, faces);
+Borders::Borders(const Cage& cage, const FaceSource& source, const std::vector<ParametricFace>& faces) {
+  const BorderBuilder builder(cage, source, faces);
   torn_ = builder.torn();
   faces_.reserve(faces.size());
   for (std::uint32_t f = 0; f < faces.size(); ++f) faces_.push_back(builder.border(f));

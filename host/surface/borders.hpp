@@ -6,22 +6,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/surface/bfr_faces.hpp"
 #include "host/surface/cage.hpp"
+#include "host/surface/face_source.hpp"
 
 namespace gnomon::surface {
-
-/// A parameter of a parametric face.
-struct Place {
-  std::uint32_t face = 0;
-  double u = 0, v = 0;
-};
 
 /// Maps every border point of every parametric face to the one place where it is evaluated.
 class Borders {
  public:
   /// `faces` are the parametric faces, those of one cage face together and in order of their sub-faces.
-  Borders(const Cage& cage, const BfrFaces& bfr, const std::vector<ParametricFace>& faces);
+  Borders(const Cage& cage, const FaceSource& source, const std::vector<ParametricFace>& faces);
 
   /// `u` or `v` (or both) must be 0 or 1. Exact for dyadic parameters.
   Place owner(std::uint32_t face, double u, double v) const;

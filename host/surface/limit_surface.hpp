@@ -13,6 +13,14 @@
 
 namespace gnomon::surface {
 
+class PatchTree;
+
+/// A parameter of a parametric face.
+struct Place {
+  std::uint32_t face = 0;
+  double u = 0, v = 0;
+};
+
 /// Position and first derivatives at a parameter of a parametric face.
 struct SurfacePoint {
   Vec3 position;
@@ -44,6 +52,10 @@ class LimitSurface {
     bool nudged;
   };
   UnitNormal unit_normal(std::uint32_t face, double u, double v) const;
+  /// Where position() evaluates: border points belong to one of the faces that share them.
+  Place owner(std::uint32_t face, double u, double v) const;
+  /// The polynomials a face is made of, for those who evaluate many points of it.
+  const PatchTree& pieces(std::uint32_t face) const;
   /// Box that holds the whole surface (of control points), in grid coordinates.
   Box3 bounds() const;
   /// What OpenSubdiv had to say about the cage, one entry a message.
