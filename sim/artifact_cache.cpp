@@ -2,7 +2,6 @@
 // Entries are built in a folder beside their own and renamed when complete.
 #include "sim/artifact_cache.hpp"
 
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -27,40 +26,46 @@ void create_folder(const fs::path& path) {
   if (error) throw std::runtime_error("cannot create " + path.string() + ": " + error.message());
 }
 
+std::string entry_name(const Artifact& artifact) {
+  return artifact.kind + "-" + content_hash(artifact.manifest);
+}
+
 }  // namespace
+
+std::optional<fs::path> find_artifact(const fs::path& directory, const Artifact& artifact) {
+  const fs::path folder = directory / entry_name(artifact);
+  const fs::path product = folder / artifact.product;
+  if (!fs::exists(folder / kManifest) || !fs::exists(product)) return std::nullopt;
+  if (read_file(folder / kManifest) != seal(artifact, product)) return std::nullopt;
+  return product;
+}
 
 ArtifactCache::ArtifactCache(fs::path directory) : directory_(std::move(directory)) {
   create_folder(directory_ / "locks");
 }
 
 fs::path ArtifactCache::entry(const Artifact& artifact) const {
-  return directory_ / (artifact.kind + "-" + content_hash(artifact.manifest));
-}
-
-bool ArtifactCache::intact(const Artifact& artifact) const {
-  const fs::path folder = entry(artifact);
-  if (!fs::exists(folder / kManifest) || !fs::exists(folder / artifact.product)) return false;
-  return read_file(folder / kManifest) == seal(artifact, folder / artifact.product);
+  return directory_ / entry_name(artifact);
 }
 
 ArtifactCache::Found ArtifactCache::get(const Artifact& artifact, const Build& build) const {
-  const fs::path folder = entry(artifact);
-  if (intact(artifact)) return {folder / artifact.product, false};
+  if (const auto product = find_artifact(directory_, artifact)) return {*product, false};
 
-  const FileLock lock(directory_ / "locks" / folder.filename());
-  if (intact(artifact)) return {folder / artifact.product, false};
+  const FileLock lock(directory_ / "locks" / entry_name(artifact));
+  if (const auto product = find_artifact(directory_, artifact)) return {*product, false};
 
   // Only the holder of the lock writes here, so whatever lies here was left by a builder that died.
+  const fs::path folder = entry(artifact);
   const fs::path work = folder.string() + ".building";
   fs::remove_all(work);
   create_folder(work);
   try {
     build(work);
+    write_file(work / kManifest, seal(artifact, work / artifact.product));
   } catch (...) {
     fs::remove_all(work);
     throw;
   }
-  std::ofstream(work / kManifest, std::ios::binary) << seal(artifact, work / artifact.product);
   fs::remove_all(folder);
   fs::rename(work, folder);
   return {folder / artifact.product, true};

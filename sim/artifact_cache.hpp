@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace gnomon::sim {
@@ -14,6 +15,10 @@ struct Artifact {
   std::string manifest;  ///< text naming everything the product depends on; equal text means equal product
   std::string product;   ///< the file that `build` leaves in the folder it is given
 };
+
+/// The product of the artifact's entry in a cache folder, if it is there and undamaged. Writes nothing.
+std::optional<std::filesystem::path> find_artifact(const std::filesystem::path& directory,
+                                                   const Artifact& artifact);
 
 /// Safe to use from several processes and threads at once: an entry appears whole or not at all, and one
 /// builder makes it while the others wait. An entry that was damaged is made again.
@@ -36,8 +41,6 @@ class ArtifactCache {
   std::filesystem::path entry(const Artifact& artifact) const;
 
  private:
-  bool intact(const Artifact& artifact) const;
-
   std::filesystem::path directory_;
 };
 

@@ -25,4 +25,10 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
+void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file << bytes;
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
 }  // namespace gnomon::sim

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <system_error>
@@ -75,12 +74,6 @@ std::string first_error(const fs::path& log, const fs::path& folder) {
     return line;
   }
   return "no error message";
-}
-
-void write_file(const fs::path& path, std::string_view text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
 /// One translation unit out of many, so that a cycle's functions are optimised together.
@@ -184,8 +177,12 @@ fs::path ModelCache::entry(const ModelSpec& spec) const {
 }
 
 std::shared_ptr<const ModelLibrary> ModelCache::load(const ModelSpec& spec) {
+  const Artifact wanted = artifact(spec);
+  if (const auto product = find_artifact(tools_.prebuilt_dir, wanted)) {
+    return std::make_shared<const ModelLibrary>(*product);
+  }
   const ArtifactCache::Found found =
-      artifacts_.get(artifact(spec), [&](const fs::path& work) { build_model(spec, work); });
+      artifacts_.get(wanted, [&](const fs::path& work) { build_model(spec, work); });
   if (found.built) ++built_;
   return std::make_shared<const ModelLibrary>(found.product);
 }

@@ -48,6 +48,7 @@ std::string first_line_of_version(const std::string& program) {
 Toolchain Toolchain::from_environment() {
   Toolchain tools;
   tools.cache_dir = std::filesystem::absolute(cache_dir_from_environment());
+  tools.prebuilt_dir = GNOMON_BUILT_WITH_PREBUILT_DIR;
   tools.rtl_dir = std::filesystem::absolute(environment("GNOMON_RTL_DIR", GNOMON_BUILT_WITH_RTL_DIR));
   tools.verilator = environment("VERILATOR", GNOMON_BUILT_WITH_VERILATOR);
   tools.verilator_root = environment("VERILATOR_ROOT", GNOMON_BUILT_WITH_VERILATOR_ROOT);

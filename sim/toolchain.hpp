@@ -11,7 +11,8 @@ namespace gnomon::sim {
 /// Sources, tools and folders of a model cache.
 struct Toolchain {
   std::filesystem::path cache_dir;
-  std::filesystem::path rtl_dir;  ///< holds gnomon.f
+  std::filesystem::path prebuilt_dir;  ///< looked into first and never written; need not exist
+  std::filesystem::path rtl_dir;       ///< holds gnomon.f
   std::string verilator;
   std::string verilator_root;         ///< its include/ holds the runtime
   std::vector<std::string> compiler;  ///< C++ compiler, with a launcher in front if there is one
