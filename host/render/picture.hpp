@@ -47,8 +47,8 @@ class PictureScene {
   PictureScene& operator=(PictureScene&&) noexcept;
   ~PictureScene();
 
-  /// Shadows from `states` (one per voxel, Lit or Shadow). A sample's mask says Shadow where n > 2 of its
-  /// subpatch's corners are, and with n = 2 where the nearer corner is.
+  /// Shadows from `states` (one per voxel, Lit or Shadow). The colour follows the number of the subpatch's
+  /// corners in shadow; the mask of a sample is the state of the corner that is nearest in parameter space.
   Picture render(const Camera& camera, const Light& light, std::span<const Material> materials,
                  std::span<const golden::VoxelState> states, const PictureOptions& options) const;
   /// The same view with exact shadows at every sample.
@@ -61,7 +61,8 @@ class PictureScene {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Red where `picture` is falsely in shadow, blue where falsely lit, over the dimmed grey reference.
+/// Red where `picture` is falsely in shadow, blue where falsely lit, over the dimmed grey reference. Throws
+/// std::invalid_argument where sizes differ.
 Image error_map(const Picture& picture, const Picture& reference);
 
 /// Share of the diffuse term that a subpatch keeps with n of its four corners in shadow: 1, 1/2, 1/4, 1/8, 0.

@@ -32,8 +32,4 @@ struct Material {
 /// others.
 std::vector<Material> default_materials(std::uint32_t objects, std::uint32_t ground);
 
-/// A camera above and in front of `subject` that shows all of it with a margin at `aspect` = width / height.
-/// `up` is the scene's upward axis; the view comes from the light's side, turned aside so that shadows show.
-Camera fitting_camera(const Box3& subject, const Vec3& up, const Light& light, double aspect);
-
 }  // namespace gnomon::render

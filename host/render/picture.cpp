@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// One ray a sample against the stitched subpatches; the two kinds of picture differ in where the shadow comes
+// from.
+#include "host/render/picture.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "host/metrics/parametric_mesh.hpp"
+#include "host/metrics/progress.hpp"
+#include "host/metrics/ray_scene.hpp"
+#include "host/render/camera_rays.hpp"
+#include "host/render/shading.hpp"
+
+namespace gnomon::render {
+namespace {
+
+using metrics::MaskValue;
+
+/// The surface under one sample.
+struct Seen {
+  std::uint32_t object, subpatch, face;
+  double u, v;
+  Vec3 normal;  ///< interpolated between limit normals
+};
+
+/// What a shadow source says about it.
+struct ShadowAnswer {
+  MaskValue mask;
+  LightShare share;
+};
+
+struct ObjectMesh {
+  metrics::ParametricMesh mesh;           ///< points are in Embree alone once it is built
+  std::vector<std::uint32_t> subpatches;  ///< of each rectangle
+};
+
+Vec3 vec(const std::array<float, 3>& a) {
+  return {a[0], a[1], a[2]};
+}
+
+Box3 bounds_of(const voxel::VoxelSet& voxels) {
+  const double res = voxels.grid.res;
+  return {Vec3(0, 0, 0), Vec3(res, res, res)};
+}
+
+}  // namespace
+
+struct PictureScene::Impl {
+  Impl(std::span<const surface::LimitSurface> s, const voxel::VoxelSet& v)
+      : surfaces(s), voxels(v), scene(bounds_of(v).center()) {
+    if (voxels.subpatches.empty()) throw std::invalid_argument("a picture needs the voxelizer's subpatches");
+    std::vector<std::vector<metrics::ParamRect>> rects(surfaces.size());
+    objects.resize(surfaces.size());
+    for (std::uint32_t i = 0; i < voxels.subpatches.size(); ++i) {
+      const voxel::Subpatch& p = voxels.subpatches[i];
+      rects.at(p.object).push_back({p.face, p.u0, p.v0, p.u1, p.v1});
+      objects[p.object].subpatches.push_back(i);
+    }
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      objects[i].mesh = metrics::triangulate(surfaces[i], rects[i], bounds_of(v).center(), true);
+      scene.add(objects[i].mesh.points, objects[i].mesh.triangles);
+      triangles += objects[i].mesh.triangles.size();
+      objects[i].mesh.points = {};
+    }
+    scene.commit();
+  }
+
+  std::optional<Seen> look(const Vec3& eye, const Vec3& direction) const {
+    const std::optional<metrics::RayHit> hit = scene.first_hit(eye, direction);
+    if (!hit) return std::nullopt;
+    const metrics::ParametricMesh& mesh = objects[hit->mesh].mesh;
+    const auto& corners = mesh.triangles[hit->triangle];
+    const std::array<double, 3> weights = {1.0 - hit->b - hit->c, hit->b, hit->c};
+    Seen seen{};
+    seen.object = hit->mesh;
+    seen.subpatch = objects[hit->mesh].subpatches[mesh.rect_of_triangle[hit->triangle]];
+    seen.face = voxels.subpatches[seen.subpatch].face;
+    for (std::size_t k = 0; k < 3; ++k) {
+      seen.u += weights[k] * mesh.params[corners[k]][0];
+      seen.v += weights[k] * mesh.params[corners[k]][1];
+      seen.normal += vec(mesh.normals[corners[k]]) * weights[k];
+    }
+    return seen;
+  }
+
+  ShadowAnswer from_states(const Seen& seen, std::span<const golden::VoxelState> states) const {
+    const voxel::Subpatch& p = voxels.subpatches[seen.subpatch];
+    std::array<bool, 4> dark{};
+    int count = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      dark[k] = states[p.corner[k]] == golden::VoxelState::Shadow;
+      count += dark[k] ? 1 : 0;
+    }
+    const bool high_u = seen.u > 0.5 * (double{p.u0} + p.u1);
+    const bool high_v = seen.v > 0.5 * (double{p.v0} + p.v1);
+    const std::size_t nearest = high_v ? (high_u ? 2 : 3) : (high_u ? 1 : 0);
+    return {dark[nearest] ? MaskValue::Shadow : MaskValue::Lit, light_share(count)};
+  }
+
+  ShadowAnswer from_reference(const Seen& seen, const metrics::ExactReference& reference) const {
+    const surface::LimitSurface& surface = surfaces[seen.object];
+    const bool dark = reference.occluded(surface.position(seen.face, seen.u, seen.v),
+                                         surface.normal(seen.face, seen.u, seen.v), seen.object);
+    return {dark ? MaskValue::Shadow : MaskValue::Lit, light_share(dark ? 4 : 0)};
+  }
+
+  template <class Shadow>
+  Picture draw(const Camera& camera, const Light& light, std::span<const Material> materials,
+               const PictureOptions& options, const Shadow& shadow) const;
+
+  std::span<const surface::LimitSurface> surfaces;
+  const voxel::VoxelSet& voxels;
+  metrics::RayScene scene;
+  std::vector<ObjectMesh> objects;
+  std::size_t triangles = 0;
+};
+
+template <class Shadow>
+Picture PictureScene::Impl::draw(const Camera& camera, const Light& light,
+                                 std::span<const Material> materials, const PictureOptions& options,
+                                 const Shadow& shadow) const {
+  if (options.width < 1 || options.height < 1 || options.supersample < 1 || options.supersample > 16)
+    throw std::invalid_argument("a picture needs a size, and 1 to 16 samples a pixel on each axis");
+  if (materials.size() < surfaces.size()) throw std::invalid_argument("every object needs a material");
+  const CameraRays rays(camera, static_cast<double>(options.width) / options.height);
+  const Vec3 to_light = -light.travel.normalized();
+  const Vec3 up = camera.up.normalized();
+  const auto width = static_cast<std::size_t>(options.width);
+  const auto height = static_cast<std::size_t>(options.height);
+  const auto super = static_cast<std::size_t>(options.supersample);
+  Picture picture;
+  picture.image = {options.width, options.height, std::vector<std::uint8_t>(3 * width * height)};
+  picture.mask.resize(width * height * super * super);
+
+  const auto sample = [&](std::size_t sx, std::size_t sy) {
+    const double x = (static_cast<double>(sx) + 0.5) / static_cast<double>(width * super);
+    const double y = (static_cast<double>(sy) + 0.5) / static_cast<double>(height * super);
+    const Vec3 direction = rays.direction(x, y);
+    const std::optional<Seen> seen = look(rays.eye(), direction);
+    MaskValue& mask = picture.mask[sy * width * super + sx];
+    mask = MaskValue::Background;
+    if (!seen) return background(y);
+    const ShadowAnswer answer = shadow(*seen);
+    mask = answer.mask;
+    Vec3 normal = seen->normal.normalized();
+    if (normal.dot(direction) > 0) normal = -normal;
+    return shade({normal, -direction, to_light, up}, materials[seen->object], answer.share);
+  };
+  metrics::Progress progress(height, options.progress, options.cancelled);
+  tbb::parallel_for(std::size_t{0}, height, [&](std::size_t py) {
+    for (std::size_t px = 0; px < width; ++px) {
+      std::array<double, 3> sum{};
+      for (std::size_t s = 0; s < super * super; ++s) {
+        const Color color = sample(px * super + s % super, py * super + s / super);
+        // Clamped before the mean, so that a bright highlight's outline is smoothed too.
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += std::min(1.0, double{color[k]});
+      }
+      for (std::size_t k = 0; k < 3; ++k)
+        picture.image.rgb[3 * (py * width + px) + k] = to_srgb(sum[k] / static_cast<double>(super * super));
+    }
+    progress.step();
+  });
+  return picture;
+}
+
+PictureScene::PictureScene(std::span<const surface::LimitSurface> surfaces, const voxel::VoxelSet& voxels)
+    : impl_(std::make_unique<Impl>(surfaces, voxels)) {}
+PictureScene::PictureScene(PictureScene&&) noexcept = default;
+PictureScene& PictureScene::operator=(PictureScene&&) noexcept = default;
+PictureScene::~PictureScene() = default;
+
+Picture PictureScene::render(const Camera& camera, const Light& light, std::span<const Material> materials,
+                             std::span<const golden::VoxelState> states,
+                             const PictureOptions& options) const {
+  if (states.size() != impl_->voxels.voxels.size())
+    throw std::invalid_argument(std::to_string(states.size()) + " voxel states given, " +
+                                std::to_string(impl_->voxels.voxels.size()) + " expected");
+  return impl_->draw(camera, light, materials, options,
+                     [&](const Seen& seen) { return impl_->from_states(seen, states); });
+}
+
+Picture PictureScene::render_reference(const Camera& camera, const Light& light,
+                                       std::span<const Material> materials,
+                                       const metrics::ExactReference& reference,
+                                       const PictureOptions& options) const {
+  return impl_->draw(camera, light, materials, options,
+                     [&](const Seen& seen) { return impl_->from_reference(seen, reference); });
+}
+
+std::size_t PictureScene::triangles() const {
+  return impl_->triangles;
+}
+
+}  // namespace gnomon::render

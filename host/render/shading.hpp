@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blinn-Phong in linear light, with the shadow rule of the subpatches (docs/rendering.md, "Shading").
+#pragma once
+
+#include <array>
+
+#include "host/base/vec.hpp"
+#include "host/render/view.hpp"
+
+namespace gnomon::render {
+
+using Color = std::array<float, 3>;  ///< linear RGB
+
+/// What a shadow leaves of the light's terms.
+struct LightShare {
+  double diffuse = 1;  ///< 0..1
+  bool highlight = true;
+};
+
+/// n of a subpatch's four corners in shadow. Throws std::invalid_argument outside 0..4.
+LightShare light_share(int corners_in_shadow);
+
+/// One surface point as the camera sees it; unit vectors, `normal` on the camera's side.
+struct ShadingPoint {
+  Vec3 normal, to_eye, to_light, up;
+};
+
+/// Ambient light comes from a sky brighter than the ground, so that shadows keep some shape.
+Color shade(const ShadingPoint& point, const Material& material, const LightShare& share);
+
+/// Behind everything: `height` runs from 0 at the picture's bottom to 1 at its top.
+Color background(double height);
+
+/// Linear 0..1 to an sRGB byte, rounded to nearest.
+std::uint8_t to_srgb(double linear);
+
+}  // namespace gnomon::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The palette.
+#include "host/render/view.hpp"
+
+#include <array>
+
+namespace gnomon::render {
+namespace {
+
+constexpr std::array<std::array<float, 3>, 7> kWarm = {{
+    {0.80f, 0.33f, 0.14f},  // terracotta
+    {0.83f, 0.56f, 0.16f},  // ochre
+    {0.62f, 0.17f, 0.17f},  // brick
+    {0.78f, 0.45f, 0.38f},  // salmon
+    {0.45f, 0.25f, 0.14f},  // umber
+    {0.86f, 0.70f, 0.42f},  // sand
+    {0.55f, 0.20f, 0.32f},  // plum
+}};
+
+}  // namespace
+
+std::vector<Material> default_materials(std::uint32_t objects, std::uint32_t ground) {
+  std::vector<Material> materials(objects);
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < objects; ++i) {
+    if (i == ground) {
+      materials[i] = {{0.62f, 0.61f, 0.59f}, 0.0f, 1};
+    } else {
+      materials[i] = {kWarm[next], 0.22f, 36};
+      next = (next + 1) % kWarm.size();
+    }
+  }
+  return materials;
+}
+
+}  // namespace gnomon::render
