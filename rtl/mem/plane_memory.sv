@@ -7,7 +7,6 @@
 module plane_memory #(
   parameter int unsigned INDEX_BITS   = 18,
   parameter int unsigned OPERAND_BITS = 24,
-  parameter int unsigned DEPTH_BITS   = gnomon_pkg::DEPTH_FIELD_BITS,
   parameter int unsigned TAG0_BITS    = 24,
   parameter int unsigned TAG1_BITS    = 24,
   parameter int unsigned READ_LATENCY = 1
@@ -22,7 +21,7 @@ module plane_memory #(
   output gnomon_pkg::plane_entry_t modify_entry_o,
   output logic [OPERAND_BITS-1:0]  modify_operand_o,
   input  logic                     modify_write_i,
-  input  logic [DEPTH_BITS-1:0]    modify_depth_i,    // makes the entry present
+  input  logic [gnomon_pkg::DEPTH_FIELD_BITS-1:0] modify_depth_i,    // makes the entry present
   output logic                     wrote_o,           // event: an update changed its entry
   // Read port 0.
   input  logic                     read0_valid_i,
@@ -52,6 +51,7 @@ module plane_memory #(
 
   localparam int unsigned WORD      = gnomon_pkg::PLANE_WORD_BITS;
   localparam int unsigned TAG       = gnomon_pkg::GENERATION_BITS;
+  localparam int unsigned DEPTH     = gnomon_pkg::DEPTH_FIELD_BITS;
   localparam int unsigned SLOT_BITS = gnomon_pkg::LINE_LOG2;
 
   logic                            scrubbing;
@@ -70,7 +70,7 @@ module plane_memory #(
   // Port A reads for updates first, then for read port 0; port B writes back or scrubs first, then reads for port 1.
   logic [WORD-1:0]          a_word, b_word;
   gnomon_pkg::plane_entry_t a_entry, b_entry;
-  logic [DEPTH_BITS-1:0]    write_depth;
+  logic [DEPTH-1:0]    write_depth;
   logic                     update_take, write, read0, read1, update_idle, read0_idle, read1_idle;
   logic [INDEX_BITS-1:0]    write_index, read0_index, read1_index, b_index;
 
@@ -96,10 +96,10 @@ module plane_memory #(
   );
 
   // The generation changes only while nothing is under way, so that the tag can be judged when the word arrives.
-  assign a_entry.present = a_word[DEPTH_BITS+:TAG] == generation;
-  assign a_entry.depth   = a_word[DEPTH_BITS-1:0];
-  assign b_entry.present = b_word[DEPTH_BITS+:TAG] == generation;
-  assign b_entry.depth   = b_word[DEPTH_BITS-1:0];
+  assign a_entry.present = a_word[DEPTH+:TAG] == generation;
+  assign a_entry.depth   = a_word[DEPTH-1:0];
+  assign b_entry.present = b_word[DEPTH+:TAG] == generation;
+  assign b_entry.depth   = b_word[DEPTH-1:0];
 
   plane_update #(.INDEX_BITS(INDEX_BITS), .OPERAND_BITS(OPERAND_BITS), .READ_LATENCY(READ_LATENCY)) u_update (
     .clk_i,

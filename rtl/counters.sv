@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Event and cycle counters with one read port (docs/command-stream.md, "Counters"; indices in gnomon_pkg).
+
+module counters (
+  input  logic                clk_i,
+  input  logic                rst_ni,
+  input  gnomon_pkg::events_t events_i,
+  input  gnomon_pkg::sticky_t sticky_i,
+  input  logic [2:0]          pass_i,
+  input  logic [2:0]          cause_i,
+  input  logic [6:0]          index_i,
+  output logic [63:0]         value_o
+);
+
+  // ---- Events ----
+  logic [63:0] commands_q, errors_q, projected_q, off_plane_q, saturated_q, writes_q;
+  logic [63:0] resolved_q, facing_away_q, uncertain_q, offset_empty_q, shadow_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      commands_q     <= '0;
+      errors_q       <= '0;
+      projected_q    <= '0;
+      off_plane_q    <= '0;
+      saturated_q    <= '0;
+      writes_q       <= '0;
+      resolved_q     <= '0;
+      facing_away_q  <= '0;
+      uncertain_q    <= '0;
+      offset_empty_q <= '0;
+      shadow_q       <= '0;
+    end else begin
+      if (events_i.command)               commands_q     <= commands_q + 64'd1;
+      if (events_i.error)                 errors_q       <= errors_q + 64'd1;
+      if (events_i.voxel_projected)       projected_q    <= projected_q + 64'd1;
+      if (events_i.project_off_plane)     off_plane_q    <= off_plane_q + 64'd1;
+      if (events_i.project_saturated)     saturated_q    <= saturated_q + 64'd1;
+      if (events_i.plane_write)           writes_q       <= writes_q + 64'd1;
+      if (events_i.voxel_resolved)        resolved_q     <= resolved_q + 64'd1;
+      if (events_i.resolved_facing_away)  facing_away_q  <= facing_away_q + 64'd1;
+      if (events_i.resolved_uncertain)    uncertain_q    <= uncertain_q + 64'd1;
+      if (events_i.resolved_offset_empty) offset_empty_q <= offset_empty_q + 64'd1;
+      if (events_i.resolved_shadow)       shadow_q       <= shadow_q + 64'd1;
+    end
+  end
+
+  // ---- Cycles: one of 36 counters moves in a cycle, so they are a RAM; a bit each says that it has counted since reset ----
+  localparam int unsigned CELLS     = gnomon_pkg::PASS_COUNT * gnomon_pkg::CAUSE_COUNT;
+  localparam int unsigned CELL_BITS = $clog2(CELLS);
+
+  logic [63:0]          cycles_q [CELLS];
+  logic [CELLS-1:0]     counted_q;
+  logic [CELL_BITS-1:0] cell_now;
+  assign cell_now = CELL_BITS'(pass_i) * CELL_BITS'(gnomon_pkg::CAUSE_COUNT) + CELL_BITS'(cause_i);
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) counted_q <= '0;
+    else         counted_q[cell_now] <= 1'b1;
+  end
+  always_ff @(posedge clk_i) begin
+    cycles_q[cell_now] <= (counted_q[cell_now] ? cycles_q[cell_now] : 64'd0) + 64'd1;
+  end
+
+  // ---- Read port ----
+  logic [6:0]           offset;
+  logic [CELL_BITS-1:0] cell_read;
+  logic                 is_cell;
+  assign offset    = index_i - gnomon_pkg::COUNTER_CYCLES;
+  assign is_cell   = index_i >= gnomon_pkg::COUNTER_CYCLES && offset < 7'(CELLS);
+  assign cell_read = is_cell ? offset[CELL_BITS-1:0] : '0;
+
+  always_comb begin
+    case (index_i)
+      gnomon_pkg::COUNTER_COMMANDS:              value_o = commands_q;
+      gnomon_pkg::COUNTER_ERRORS:                value_o = errors_q;
+      gnomon_pkg::COUNTER_VOXELS_PROJECTED:      value_o = projected_q;
+      gnomon_pkg::COUNTER_PROJECT_OFF_PLANE:     value_o = off_plane_q;
+      gnomon_pkg::COUNTER_PROJECT_SATURATED:     value_o = saturated_q;
+      gnomon_pkg::COUNTER_PLANE_WRITES:          value_o = writes_q;
+      gnomon_pkg::COUNTER_VOXELS_RESOLVED:       value_o = resolved_q;
+      gnomon_pkg::COUNTER_RESOLVED_FACING_AWAY:  value_o = facing_away_q;
+      gnomon_pkg::COUNTER_RESOLVED_UNCERTAIN:    value_o = uncertain_q;
+      gnomon_pkg::COUNTER_RESOLVED_OFFSET_EMPTY: value_o = offset_empty_q;
+      gnomon_pkg::COUNTER_RESOLVED_SHADOW:       value_o = shadow_q;
+      gnomon_pkg::COUNTER_STICKY:                value_o = 64'(sticky_i);
+      default: value_o = (is_cell && counted_q[cell_read]) ? cycles_q[cell_read] : 64'd0;
+    endcase
+  end
+
+endmodule

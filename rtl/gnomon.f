@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Source files of gnomon_top in reading order, relative to this file (verilator -F rtl/gnomon.f).
++incdir+common
+gnomon_pkg.sv
+parameter_check.sv
+common/delay_line.sv
+common/stall_gate.sv
+common/stream_fifo.sv
+common/stream_skid.sv
+mem/plane_bank.sv
+mem/plane_ram.sv
+mem/plane_clear.sv
+mem/plane_update.sv
+mem/plane_read_port.sv
+mem/plane_memory.sv
+vpu/vpu_registers.sv
+vpu/vpu_unpack.sv
+vpu/vpu_dot3.sv
+vpu/vpu_locate.sv
+vpu/vpu_project.sv
+vpu/vpu_nearest.sv
+vpu/vpu_gradient.sv
+vpu/vpu_normalise.sv
+vpu/vpu_offset.sv
+vpu/vpu_margin.sv
+vpu/vpu_resolve.sv
+vpu/vpu.sv
+stream/command_check.sv
+stream/plane_reader.sv
+stream/command_decoder.sv
+counters.sv
+gnomon_top.sv

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gnomon: command stream in, result stream out (docs/command-stream.md). Holds the command decoder, the voxel projection
+// unit, the plane memory and the counters.
+
+`include "assertions.svh"
+
+module gnomon_top #(
+  parameter int unsigned VOXEL_BITS       = 8,
+  parameter int unsigned VOXEL_FRAC_BITS  = 2,
+  parameter int unsigned NORMAL_BITS      = 9,
+  parameter int unsigned MATRIX_FRAC_BITS = 22,
+  parameter int unsigned DEPTH_BITS       = 20,
+  parameter int unsigned PLANE_LOG2       = 9,
+  parameter bit          EN_VPU_OFFSET    = 1'b1,
+  parameter int unsigned MEM_LATENCY      = 1,      // cycles of a read of the plane's RAM
+  parameter int unsigned MEM_STALL_SEED   = 0       // test aid: other than 0 (1..65535), the plane's ports stall at random
+) (
+  input  logic        clk_i,
+  input  logic        rst_ni,           // synchronous
+  // Command words, AXI4-Stream.
+  input  logic        cmd_valid_i,
+  output logic        cmd_ready_o,
+  input  logic [63:0] cmd_data_i,
+  // Result words, AXI4-Stream.
+  output logic        res_valid_o,
+  input  logic        res_ready_i,
+  output logic [63:0] res_data_o,
+  // Counters, combinational: 0..10 events, 11 sticky flags, 16 + 6 pass + cause cycles.
+  input  logic [6:0]  counter_index_i,
+  output logic [63:0] counter_value_o,
+  // Nothing under way and nothing buffered: without another word nothing more will happen. Also between the items of a
+  // command.
+  output logic        idle_o
+);
+
+  parameter_check #(
+    .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
+    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
+    .MEM_LATENCY(MEM_LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
+  ) u_parameter_check ();
+
+  localparam int unsigned INDEX = 2 * PLANE_LOG2;
+  localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
+  localparam int unsigned TAG0  = gnomon_pkg::OWN_TAG_BITS;
+  localparam int unsigned TAG1  = gnomon_pkg::OFFSET_TAG_BITS;
+
+  // ---- Streams at the ports ----
+  logic        word_valid, word_ready, result_valid, result_ready;
+  logic [63:0] word, result;
+  stream_skid #(.WIDTH(64)) u_command_skid (
+    .clk_i, .rst_ni, .valid_i(cmd_valid_i), .ready_o(cmd_ready_o), .data_i(cmd_data_i),
+    .valid_o(word_valid), .ready_i(word_ready), .data_o(word)
+  );
+  stream_skid #(.WIDTH(64)) u_result_skid (
+    .clk_i, .rst_ni, .valid_i(result_valid), .ready_o(result_ready), .data_i(result),
+    .valid_o(res_valid_o), .ready_i(res_ready_i), .data_o(res_data_o)
+  );
+
+  // ---- Decoder ----
+  logic                                       register_write, item_valid, item_ready, item_resolve, item_two_sided;
+  logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index;
+  logic                                       vpu_idle, plane_idle, clear_valid, clear_ready, clear_last;
+  logic                                       read_start, reading, read_step, read_last;
+  logic [INDEX-1:0]                           read_first;
+  logic [7:0]                                 read_count_minus1;
+  logic                                       decoder_valid;
+  logic [63:0]                                decoder_result;
+  logic                                       off_plane, saturated, quiet;
+  gnomon_pkg::events_t                        events;
+  gnomon_pkg::sticky_t                        sticky;
+  logic [2:0]                                 pass, cause;
+  command_decoder #(.PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET)) u_decoder (
+    .clk_i, .rst_ni, .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
+    .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_valid),
+    .item_ready_i(item_ready), .item_resolve_o(item_resolve), .item_two_sided_o(item_two_sided),
+    .vpu_idle_i(vpu_idle), .plane_idle_i(plane_idle), .clear_valid_o(clear_valid), .clear_ready_i(clear_ready),
+    .clear_last_i(clear_last), .read_start_o(read_start), .read_first_o(read_first),
+    .read_count_minus1_o(read_count_minus1), .reading_o(reading), .read_step_i(read_step), .read_last_i(read_last),
+    .result_valid_o(decoder_valid), .result_ready_i(result_ready), .result_o(decoder_result),
+    .off_plane_i(off_plane), .saturated_i(saturated), .sticky_o(sticky),
+    .output_blocked_i(result_valid && !result_ready), .pass_o(pass), .cause_o(cause),
+    .command_o(events.command), .error_o(events.error), .quiet_o(quiet)
+  );
+  assign idle_o = quiet && !res_valid_o;
+
+  // ---- VPU ----
+  logic                         update_valid, update_ready, modify_write;
+  logic [INDEX-1:0]             update_index;
+  logic [DEPTH-1:0]             update_operand, modify_operand, modify_depth;
+  gnomon_pkg::plane_entry_t     modify_entry, entry0, entry1;
+  logic                         vpu_read0_valid, vpu_read0_ready, vpu_entry0_valid, vpu_entry0_ready;
+  logic                         read1_valid, read1_ready, entry1_valid, entry1_ready;
+  logic [INDEX-1:0]             vpu_read0_index, read1_index;
+  gnomon_pkg::own_tag_t         vpu_read0_tag;
+  logic [TAG0-1:0]              entry0_tag;
+  gnomon_pkg::offset_tag_t      read1_tag, entry1_tag;
+  logic                         vpu_valid;
+  gnomon_pkg::voxel_result_t    vpu_result;
+  vpu #(
+    .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
+    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
+    .EN_VPU_OFFSET(EN_VPU_OFFSET)
+  ) u_vpu (
+    .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index), .register_value_i(word),
+    .item_valid_i(item_valid), .item_ready_o(item_ready), .item_i(word), .item_resolve_i(item_resolve),
+    .item_two_sided_i(item_two_sided), .idle_o(vpu_idle),
+    .update_valid_o(update_valid), .update_ready_i(update_ready), .update_index_o(update_index),
+    .update_operand_o(update_operand), .modify_entry_i(modify_entry), .modify_operand_i(modify_operand),
+    .modify_write_o(modify_write), .modify_depth_o(modify_depth),
+    .read0_valid_o(vpu_read0_valid), .read0_ready_i(vpu_read0_ready), .read0_index_o(vpu_read0_index),
+    .read0_tag_o(vpu_read0_tag), .entry0_valid_i(vpu_entry0_valid), .entry0_ready_o(vpu_entry0_ready),
+    .entry0_i(entry0), .entry0_tag_i(entry0_tag),
+    .read1_valid_o(read1_valid), .read1_ready_i(read1_ready), .read1_index_o(read1_index), .read1_tag_o(read1_tag),
+    .entry1_valid_i(entry1_valid), .entry1_ready_o(entry1_ready), .entry1_i(entry1), .entry1_tag_i(entry1_tag),
+    .result_valid_o(vpu_valid), .result_ready_i(result_ready), .result_o(vpu_result),
+    .projected_o(events.voxel_projected), .off_plane_o(off_plane), .saturated_o(saturated)
+  );
+
+  // ---- READ_PLANE ----
+  logic                            reader_read_valid, reader_read_ready, reader_entry_valid, reader_entry_ready;
+  logic [INDEX-1:0]                reader_read_index;
+  logic [TAG0-1:0]                 reader_read_tag;
+  logic                            reader_valid, reader_busy;
+  gnomon_pkg::plane_entry_result_t reader_result;
+  plane_reader #(.INDEX_BITS(INDEX), .TAG_BITS(TAG0)) u_reader (
+    .clk_i, .rst_ni, .start_i(read_start), .first_i(read_first), .count_minus1_i(read_count_minus1),
+    .busy_o(reader_busy), .last_o(read_last),
+    .read_valid_o(reader_read_valid), .read_ready_i(reader_read_ready), .read_index_o(reader_read_index),
+    .read_tag_o(reader_read_tag), .entry_valid_i(reader_entry_valid), .entry_ready_o(reader_entry_ready),
+    .entry_i(entry0), .entry_tag_i(entry0_tag),
+    .result_valid_o(reader_valid), .result_ready_i(result_ready), .result_o(reader_result)
+  );
+  assign read_step = (reader_read_valid && reader_read_ready) || (reader_valid && result_ready);
+
+  // ---- Read port 0 belongs to READ_PLANE while it lasts, else to the VPU ----
+  logic             read0_valid, read0_ready, entry0_valid, entry0_ready;
+  logic [INDEX-1:0] read0_index;
+  logic [TAG0-1:0]  read0_tag;
+  assign read0_valid        = reading ? reader_read_valid : vpu_read0_valid;
+  assign read0_index        = reading ? reader_read_index : vpu_read0_index;
+  assign read0_tag          = reading ? reader_read_tag : vpu_read0_tag;
+  assign reader_read_ready  = reading && read0_ready;
+  assign vpu_read0_ready    = !reading && read0_ready;
+  assign reader_entry_valid = reading && entry0_valid;
+  assign vpu_entry0_valid   = !reading && entry0_valid;
+  assign entry0_ready       = reading ? reader_entry_ready : vpu_entry0_ready;
+
+  // ---- Plane memory, each of its streams behind a gate for tests ----
+  logic update_gated, update_granted, read0_gated, read0_granted, read1_gated, read1_granted;
+  logic entry0_given, entry0_taken, entry1_given, entry1_taken;
+  localparam bit          STALLS = MEM_STALL_SEED != 0;
+  localparam logic [15:0] SEED   = 16'(MEM_STALL_SEED);
+  stall_gate #(.SEED(SEED)) u_stall_update (
+    .clk_i, .rst_ni, .valid_i(update_valid), .ready_o(update_ready), .valid_o(update_gated), .ready_i(update_granted)
+  );
+  stall_gate #(.SEED(STALLS ? SEED ^ 16'hA5A5 : 16'd0)) u_stall_read0 (
+    .clk_i, .rst_ni, .valid_i(read0_valid), .ready_o(read0_ready), .valid_o(read0_gated), .ready_i(read0_granted)
+  );
+  stall_gate #(.SEED(STALLS ? SEED ^ 16'h3C96 : 16'd0)) u_stall_read1 (
+    .clk_i, .rst_ni, .valid_i(read1_valid), .ready_o(read1_ready), .valid_o(read1_gated), .ready_i(read1_granted)
+  );
+  stall_gate #(.SEED(STALLS ? SEED ^ 16'h5B1D : 16'd0)) u_stall_entry0 (
+    .clk_i, .rst_ni, .valid_i(entry0_given), .ready_o(entry0_taken), .valid_o(entry0_valid), .ready_i(entry0_ready)
+  );
+  stall_gate #(.SEED(STALLS ? SEED ^ 16'hC2E7 : 16'd0)) u_stall_entry1 (
+    .clk_i, .rst_ni, .valid_i(entry1_given), .ready_o(entry1_taken), .valid_o(entry1_valid), .ready_i(entry1_ready)
+  );
+
+  plane_memory #(
+    .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .READ_LATENCY(MEM_LATENCY)
+  ) u_plane (
+    .clk_i, .rst_ni,
+    .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index),
+    .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
+    .modify_write_i(modify_write), .modify_depth_i(modify_depth), .wrote_o(events.plane_write),
+    .read0_valid_i(read0_gated), .read0_ready_o(read0_granted), .read0_index_i(read0_index), .read0_tag_i(read0_tag),
+    .entry0_valid_o(entry0_given), .entry0_ready_i(entry0_taken), .entry0_o(entry0), .entry0_tag_o(entry0_tag),
+    .read1_valid_i(read1_gated), .read1_ready_o(read1_granted), .read1_index_i(read1_index), .read1_tag_i(read1_tag),
+    .entry1_valid_o(entry1_given), .entry1_ready_i(entry1_taken), .entry1_o(entry1), .entry1_tag_o(entry1_tag),
+    .clear_valid_i(clear_valid), .clear_ready_o(clear_ready), .clear_last_o(clear_last), .idle_o(plane_idle)
+  );
+
+  // ---- Results: a change of kind is a barrier, so that one source speaks at a time and command order is kept ----
+  assign result_valid = decoder_valid || reader_valid || vpu_valid;
+  always_comb begin
+    if (decoder_valid)     result = decoder_result;
+    else if (reader_valid) result = reader_result;
+    else                   result = vpu_result;
+  end
+
+  // ---- Counters ----
+  logic vpu_given;
+  assign vpu_given                    = vpu_valid && result_ready;
+  assign events.project_off_plane     = off_plane;
+  assign events.project_saturated     = saturated;
+  assign events.voxel_resolved        = vpu_given;
+  assign events.resolved_facing_away  = vpu_given && vpu_result.facing_away;
+  assign events.resolved_uncertain    = vpu_given && vpu_result.uncertain;
+  assign events.resolved_offset_empty = vpu_given && vpu_result.offset_empty;
+  assign events.resolved_shadow       = vpu_given && vpu_result.state == gnomon_pkg::STATE_SHADOW;
+  counters u_counters (
+    .clk_i, .rst_ni, .events_i(events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause),
+    .index_i(counter_index_i), .value_o(counter_value_o)
+  );
+
+  `GNOMON_ASSERT(a_one_result_source, 2'(decoder_valid) + 2'(reader_valid) + 2'(vpu_valid) <= 2'd1)
+  `GNOMON_ASSERT(a_reader_alone, !reader_busy || (reading && vpu_idle))
+  `GNOMON_ASSERT_STREAM(a_result_stable, res_valid_o, res_ready_i, res_data_o)
+
+endmodule

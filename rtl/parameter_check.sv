@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md, "Parameters").
+
+module parameter_check #(
+  parameter int unsigned VOXEL_BITS       = 8,
+  parameter int unsigned VOXEL_FRAC_BITS  = 2,
+  parameter int unsigned NORMAL_BITS      = 9,
+  parameter int unsigned MATRIX_FRAC_BITS = 22,
+  parameter int unsigned DEPTH_BITS       = 20,
+  parameter int unsigned PLANE_LOG2       = 9,
+  parameter int unsigned MEM_LATENCY      = 1,
+  parameter int unsigned MEM_STALL_SEED   = 0
+);
+
+  localparam int unsigned P = VOXEL_BITS + VOXEL_FRAC_BITS;
+
+  if (VOXEL_BITS < 4 || VOXEL_BITS > 11)
+    $error("VOXEL_BITS is out of range 4..11");
+  if (VOXEL_FRAC_BITS > 6)
+    $error("VOXEL_FRAC_BITS is out of range 0..6");
+  if (P > 16)
+    $error("VOXEL_BITS + VOXEL_FRAC_BITS is above 16");
+  if (NORMAL_BITS < 4 || NORMAL_BITS > 12)
+    $error("NORMAL_BITS is out of range 4..12");
+  if (3 * (P + NORMAL_BITS) > 63)
+    $error("3 (VOXEL_BITS + VOXEL_FRAC_BITS + NORMAL_BITS) is above 63: a voxel does not fit a word");
+  if (MATRIX_FRAC_BITS < 12 || MATRIX_FRAC_BITS > 28)
+    $error("MATRIX_FRAC_BITS is out of range 12..28");
+  if (MATRIX_FRAC_BITS < P + 2)
+    $error("MATRIX_FRAC_BITS is below VOXEL_BITS + VOXEL_FRAC_BITS + 2");
+  if (DEPTH_BITS < 8 || DEPTH_BITS > 24)
+    $error("DEPTH_BITS is out of range 8..24");
+  if (PLANE_LOG2 < 4 || PLANE_LOG2 > 12)
+    $error("PLANE_LOG2 is out of range 4..12");
+  if (MEM_LATENCY < 1 || MEM_LATENCY > 64)
+    $error("MEM_LATENCY is out of range 1..64");
+  if (MEM_STALL_SEED > 65535)
+    $error("MEM_STALL_SEED is out of range 0..65535");
+
+endmodule

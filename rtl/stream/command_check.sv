@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Errors of a command header (docs/command-stream.md, "Results"), the first that applies in the order 1, 5, 2, 3, 4.
+// Combinational.
+
+module command_check #(
+  parameter int unsigned PLANE_LOG2    = 9,
+  parameter bit          EN_VPU_OFFSET = 1'b1
+) (
+  input  gnomon_pkg::header_t header_i,
+  output logic [7:0]          error_o   // ERROR_NONE if the command is good
+);
+
+  logic       known, absent, bad_register, bad_argument;
+  logic [7:0] allowed_flags;
+
+  always_comb begin
+    known         = 1'b1;
+    allowed_flags = 8'h00;
+    case (header_i.op)
+      gnomon_pkg::OP_FENCE:          allowed_flags = gnomon_pkg::FENCE_CLEAR_STICKY;
+      gnomon_pkg::OP_RESOLVE_VOXELS: allowed_flags = gnomon_pkg::RESOLVE_TWO_SIDED;
+      gnomon_pkg::OP_NOP, gnomon_pkg::OP_SET_REGISTERS, gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_READ_PLANE,
+      gnomon_pkg::OP_PROJECT_VOXELS: ;
+      default:                       known = 1'b0;
+    endcase
+  end
+
+  assign absent = !EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS;
+
+  // The sum of the numbers: 33 bits, so that it does not wrap.
+  assign bad_register = header_i.op == gnomon_pkg::OP_SET_REGISTERS &&
+                        33'(header_i.arg) + 33'(header_i.count) > 33'(gnomon_pkg::REGISTER_COUNT);
+
+  localparam logic [24:0] LAST_ENTRY = (25'd1 << (2 * PLANE_LOG2)) - 25'd1;
+  logic beyond_plane, has_items;
+  assign beyond_plane = 25'(header_i.arg[23:0]) + 25'(header_i.arg[31:24]) > LAST_ENTRY;
+  assign has_items    = header_i.count != '0;
+  always_comb begin
+    case (header_i.op)
+      gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_FENCE: bad_argument = has_items;
+      gnomon_pkg::OP_READ_PLANE:                        bad_argument = has_items || beyond_plane;
+      default:                                          bad_argument = 1'b0;
+    endcase
+  end
+
+  always_comb begin
+    if (!known)                                        error_o = gnomon_pkg::ERROR_UNKNOWN_OP;
+    else if ((header_i.flags & ~allowed_flags) != '0)  error_o = gnomon_pkg::ERROR_RESERVED_FLAG;
+    else if (absent)                                   error_o = gnomon_pkg::ERROR_FEATURE_ABSENT;
+    else if (bad_register)                             error_o = gnomon_pkg::ERROR_BAD_REGISTER;
+    else if (bad_argument)                             error_o = gnomon_pkg::ERROR_BAD_ARGUMENT;
+    else                                               error_o = gnomon_pkg::ERROR_NONE;
+  end
+
+endmodule

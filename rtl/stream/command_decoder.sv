@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takes the command stream apart: checks headers, hands items to the units, waits where the kind changes, answers FENCE
+// and commands in error itself. Says of every cycle which pass it belongs to and what became of it.
+
+`include "assertions.svh"
+
+module command_decoder #(
+  parameter int unsigned PLANE_LOG2    = 9,
+  parameter bit          EN_VPU_OFFSET = 1'b1
+) (
+  input  logic                                       clk_i,
+  input  logic                                       rst_ni,
+  // Command words.
+  input  logic                                       word_valid_i,
+  output logic                                       word_ready_o,
+  input  logic [63:0]                                word_i,
+  // VPU.
+  output logic                                       register_write_o,
+  output logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index_o,
+  output logic                                       item_valid_o,
+  input  logic                                       item_ready_i,
+  output logic                                       item_resolve_o,
+  output logic                                       item_two_sided_o,
+  input  logic                                       vpu_idle_i,
+  // Plane: fence, clear, read.
+  input  logic                                       plane_idle_i,
+  output logic                                       clear_valid_o,
+  input  logic                                       clear_ready_i,
+  input  logic                                       clear_last_i,
+  output logic                                       read_start_o,
+  output logic [2*PLANE_LOG2-1:0]                    read_first_o,
+  output logic [7:0]                                 read_count_minus1_o,
+  output logic                                       reading_o,       // READ_PLANE owns read port 0
+  input  logic                                       read_step_i,     // it asked or answered in this cycle
+  input  logic                                       read_last_i,
+  // Results of FENCE and of commands in error.
+  output logic                                       result_valid_o,
+  input  logic                                       result_ready_i,
+  output logic [63:0]                                result_o,
+  // Events of the project pass that raise sticky flags.
+  input  logic                                       off_plane_i,
+  input  logic                                       saturated_i,
+  output gnomon_pkg::sticky_t                        sticky_o,
+  // Accounting.
+  input  logic                                       output_blocked_i,  // a result was offered and not taken
+  output logic [2:0]                                 pass_o,
+  output logic [2:0]                                 cause_o,
+  output logic                                       command_o,         // event: header taken
+  output logic                                       error_o,           // event: error result given
+  output logic                                       quiet_o            // nothing happens before another word comes
+);
+
+  typedef enum logic [2:0] {
+    StHeader, StItems, StSkip, StResult, StClear, StScrub, StRead
+  } state_e;
+
+  state_e              state_q, state_d;
+  gnomon_pkg::header_t header, command_q;  // the word as a header; the command in progress, its arg counted up by items
+  logic [7:0]          error, error_q;
+  logic [31:0]         command_index_q, next_index_q;
+  gnomon_pkg::sticky_t sticky_q;
+
+  assign header = word_i;
+  command_check #(.PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET)) u_check (.header_i(header), .error_o(error));
+
+  // ---- Headers: a barrier unless the same pass goes on ----
+  logic good, drained, same_pass, take_header;
+  assign good        = error == gnomon_pkg::ERROR_NONE;
+  assign drained     = vpu_idle_i && plane_idle_i;
+  assign same_pass   = good && header.op == command_q.op &&
+                       (header.op == gnomon_pkg::OP_PROJECT_VOXELS || header.op == gnomon_pkg::OP_RESOLVE_VOXELS);
+  assign take_header = state_q == StHeader && word_valid_i && (drained || same_pass);
+
+  // ---- Items ----
+  logic to_vpu, to_registers, take_item, last_item;
+  assign to_registers = state_q == StItems && command_q.op == gnomon_pkg::OP_SET_REGISTERS;
+  assign to_vpu       = state_q == StItems && !to_registers;
+  assign take_item    = word_valid_i && (state_q == StSkip || to_registers || (to_vpu && item_ready_i));
+  assign last_item    = take_item && command_q.count == 16'd1;
+  assign word_ready_o = take_header || take_item;
+
+  assign item_valid_o     = to_vpu && word_valid_i;
+  assign item_resolve_o   = command_q.op == gnomon_pkg::OP_RESOLVE_VOXELS;
+  assign item_two_sided_o = (command_q.flags & gnomon_pkg::RESOLVE_TWO_SIDED) != '0;
+  assign register_write_o = to_registers && word_valid_i;
+  assign register_index_o = command_q.arg[gnomon_pkg::REGISTER_INDEX_BITS-1:0];
+
+  // ---- Results of its own ----
+  logic                        is_error, give;
+  gnomon_pkg::fence_result_t   fence_result;
+  gnomon_pkg::error_result_t   error_result;
+  assign is_error       = error_q != gnomon_pkg::ERROR_NONE;
+  assign result_valid_o = state_q == StResult;
+  assign give           = result_valid_o && result_ready_i;
+  always_comb begin
+    fence_result.code          = gnomon_pkg::RESULT_FENCE;
+    fence_result.zero          = '0;
+    fence_result.sticky        = sticky_q;
+    fence_result.tag           = command_q.arg;
+    error_result.code          = gnomon_pkg::RESULT_ERROR;
+    error_result.error         = error_q;
+    error_result.zero          = '0;
+    error_result.command_index = command_index_q;
+  end
+  assign result_o = is_error ? error_result : fence_result;
+
+  // ---- Plane ----
+  assign clear_valid_o       = state_q == StClear;
+  assign reading_o           = state_q == StRead;
+  assign read_start_o        = take_header && good && header.op == gnomon_pkg::OP_READ_PLANE;
+  assign read_first_o        = header.arg[2*PLANE_LOG2-1:0];
+  assign read_count_minus1_o = header.arg[31:24];
+
+  // ---- State ----
+  always_comb begin
+    state_d = state_q;
+    case (state_q)
+      StHeader: begin
+        if (take_header) begin
+          if (!good) begin
+            state_d = StResult;
+          end else begin
+            case (header.op)
+              gnomon_pkg::OP_CLEAR_PLANE: state_d = StClear;
+              gnomon_pkg::OP_FENCE:       state_d = StResult;
+              gnomon_pkg::OP_READ_PLANE:  state_d = StRead;
+              gnomon_pkg::OP_NOP:         state_d = (header.count == '0) ? StHeader : StSkip;
+              default:                    state_d = (header.count == '0) ? StHeader : StItems;
+            endcase
+          end
+        end
+      end
+      StItems, StSkip: if (last_item) state_d = StHeader;
+      StResult:        if (give) state_d = (is_error && command_q.count != '0) ? StSkip : StHeader;
+      StClear:         if (clear_ready_i) state_d = StScrub;
+      StScrub:         if (clear_last_i) state_d = StHeader;
+      StRead:          if (read_last_i) state_d = StHeader;
+      default:         state_d = StHeader;
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      state_q         <= StScrub;  // the plane scrubs itself after reset
+      command_q       <= '0;
+      command_q.op    <= gnomon_pkg::OP_CLEAR_PLANE;
+      error_q         <= gnomon_pkg::ERROR_NONE;
+      command_index_q <= '0;
+      next_index_q    <= '0;
+    end else begin
+      state_q <= state_d;
+      if (take_header) begin
+        command_q       <= header;
+        error_q         <= error;
+        command_index_q <= next_index_q;
+        next_index_q    <= next_index_q + 32'd1;
+      end else if (take_item) begin
+        command_q.count <= command_q.count - 16'd1;
+        command_q.arg   <= command_q.arg + 32'd1;
+      end
+    end
+  end
+
+  // ---- Sticky flags: a FENCE reports what it clears; nothing raises one in that cycle, the units are drained ----
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sticky_q <= '0;
+    end else if (give && !is_error && (command_q.flags & gnomon_pkg::FENCE_CLEAR_STICKY) != '0) begin
+      sticky_q <= '0;
+    end else begin
+      if (error_o)     sticky_q.error_seen      <= 1'b1;
+      if (off_plane_i) sticky_q.off_plane       <= 1'b1;
+      if (saturated_i) sticky_q.depth_saturated <= 1'b1;
+    end
+  end
+  assign sticky_o  = sticky_q;
+  assign command_o = take_header;
+  assign error_o   = give && is_error;
+  assign quiet_o   = !word_valid_i && drained && (state_q == StHeader || state_q == StItems || state_q == StSkip);
+
+  // ---- Accounting: pass of a command, then what became of the cycle ----
+  logic       new_header;
+  logic [7:0] pass_op;
+  logic       pass_error;
+  assign new_header = take_header;
+  assign pass_op    = new_header ? header.op : command_q.op;
+  assign pass_error = new_header ? !good : is_error;
+  always_comb begin
+    if (state_q == StHeader && !take_header && drained) begin
+      pass_o = gnomon_pkg::PASS_IDLE;
+    end else if (pass_error) begin
+      pass_o = gnomon_pkg::PASS_CONTROL;
+    end else begin
+      case (pass_op)
+        gnomon_pkg::OP_CLEAR_PLANE:    pass_o = gnomon_pkg::PASS_CLEAR;
+        gnomon_pkg::OP_READ_PLANE:     pass_o = gnomon_pkg::PASS_READ;
+        gnomon_pkg::OP_PROJECT_VOXELS: pass_o = gnomon_pkg::PASS_PROJECT;
+        gnomon_pkg::OP_RESOLVE_VOXELS: pass_o = gnomon_pkg::PASS_RESOLVE;
+        default:                       pass_o = gnomon_pkg::PASS_CONTROL;
+      endcase
+    end
+  end
+
+  logic stepped, may_starve;
+  always_comb begin
+    case (state_q)
+      StHeader:        stepped = take_header;
+      StItems, StSkip: stepped = take_item;
+      StResult:        stepped = give;
+      StClear:         stepped = clear_ready_i;
+      StScrub:         stepped = 1'b1;
+      default:         stepped = read_step_i;
+    endcase
+  end
+  // Where another word would have been taken: the pipelines are not held up.
+  assign may_starve = state_q == StSkip || to_registers || ((to_vpu || state_q == StHeader) && item_ready_i);
+  always_comb begin
+    if (stepped)                     cause_o = gnomon_pkg::CAUSE_BUSY;
+    else if (output_blocked_i && pass_o != gnomon_pkg::PASS_IDLE)
+                                     cause_o = gnomon_pkg::CAUSE_OUTPUT_BLOCKED;
+    else if (pass_o == gnomon_pkg::PASS_IDLE)
+                                     cause_o = gnomon_pkg::CAUSE_IDLE;
+    else if (!may_starve)            cause_o = gnomon_pkg::CAUSE_MEMORY_WAIT;
+    else if (word_valid_i)           cause_o = gnomon_pkg::CAUSE_HAZARD;
+    else                             cause_o = gnomon_pkg::CAUSE_INPUT_STARVED;
+  end
+
+  `GNOMON_ASSERT_STREAM(a_item_stable, item_valid_o, item_ready_i, {word_i, item_resolve_o, item_two_sided_o})
+  `GNOMON_ASSERT_STREAM(a_result_stable, result_valid_o, result_ready_i, result_o)
+  `GNOMON_ASSERT(a_register_exists, !register_write_o || command_q.arg < 32'(gnomon_pkg::REGISTER_COUNT))
+
+endmodule
