@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -56,13 +57,14 @@ struct RunRequest {
   std::uint32_t seed = 1;        ///< reset values of the rtl engine
 
   // What the report says about where the run came from.
-  std::vector<std::string> command_line;           ///< reproduces this run
-  std::vector<report::ParameterValue> parameters;  ///< all of them, resolved
-  std::vector<report::StageTime> earlier_stages;   ///< what was timed before: "load"
+  std::vector<std::string> command_line;                      ///< reproduces this run
+  std::vector<report::ParameterValue> parameters;             ///< all of them, resolved
+  std::vector<report::StageTime> earlier_stages;              ///< what was timed before: "load"
+  std::vector<std::pair<std::string, std::string>> versions;  ///< tool, version; the program itself first
 
   Progress progress;  ///< may be empty
-  const std::atomic<bool>* abort =
-      nullptr;  ///< true ends the run with an Error and leaves nothing behind; not owned
+  /// True ends the run with an Error and leaves nothing behind. Not owned.
+  const std::atomic<bool>* abort = nullptr;
 
   // Other engines than the usual ones, for tests; empty: golden::make_golden_engine and sim::make_rtl_engine.
   GoldenFactory make_golden;
