@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// gnomon voxelize: the voxels of a model's limit surface, for NumPy, Blender and Houdini.
+#include <fmt/format.h>
+
+#include "host/cli/command.hpp"
+#include "host/cli/output_files.hpp"
+#include "host/cli/progress.hpp"
+#include "host/cli/scene_input.hpp"
+#include "host/cli/voxel_files.hpp"
+#include "host/voxel/voxelizer.hpp"
+
+namespace gnomon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<surface::LimitSurface>> limit_surfaces(const scene::Scene& scene,
+                                                          const voxel::Grid& grid) {
+  std::vector<surface::LimitSurface> surfaces;
+  for (const scene::Object& object : scene.objects) {
+    Result<surface::LimitSurface> surface =
+        surface::LimitSurface::build(object.mesh, scene::to_grid(object, grid));
+    if (!surface) {
+      return fail(fmt::format("{}: error: object '{}': {}", scene.source.string(), object.name,
+                              surface.error().message));
+    }
+    surfaces.push_back(std::move(*surface));
+  }
+  return surfaces;
+}
+
+class VoxelizeCommand : public Command {
+ public:
+  CLI::App* add_to(CLI::App& program) override {
+    CLI::App* command = program.add_subcommand("voxelize", "Voxelize the limit surface of a model");
+    command->add_option("MODEL", model_, "OBJ control cage, or scene file")->required();
+    command->add_option("--res", res_, "Voxels a side (the same as --set res=R)")->type_name("R");
+    command->add_option("--adjacency", adjacency_, "6, 18 or 26 (the same as --set adjacency=N)")
+        ->type_name("N");
+    command
+        ->add_option("-o,--output", outputs_,
+                     "FILE.npy or FILE.vdb, repeatable; FILE.json is written beside it")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->required();
+    command->add_flag("--json", json_, "Print the figures as JSON");
+    add_set_option(*command, set_);
+    command->footer(
+        "Without a ground, unless --set ground=on.\n\nExample:\n  gnomon voxelize cup.obj --res 256 -o "
+        "cup.vdb");
+    return command;
+  }
+
+  Result<int> run(Context& context) override {
+    if (Result<void> sound = check_outputs(); !sound) return tl::make_unexpected(sound.error());
+    std::vector<std::string> flags = set_;
+    if (!res_.empty()) flags.push_back("res=" + res_);
+    if (!adjacency_.empty()) flags.push_back("adjacency=" + adjacency_);
+    const Result<LoadedScene> input = load_input(context, model_, flags, {{"ground", "off", "default"}});
+    if (!input) return tl::make_unexpected(input.error());
+    const Result<voxel::VoxelSet> voxels = voxelize(context, *input);
+    if (!voxels) return tl::make_unexpected(voxels.error());
+    context.interruption.check();
+    if (Result<void> written = write(*voxels); !written) return tl::make_unexpected(written.error());
+    report(*voxels);
+    return kDone;
+  }
+
+ private:
+  Result<void> check_outputs() const {
+    for (const fs::path& output : outputs_) {
+      if (output.extension() != ".npy" && output.extension() != ".vdb") {
+        return fail(fmt::format("-o {}: expected a name that ends in .npy or .vdb", output.string()));
+      }
+      if (Result<void> possible = check_output(output); !possible) return possible;
+    }
+    return {};
+  }
+
+  static Result<voxel::VoxelSet> voxelize(Context& context, const LoadedScene& input) {
+    const Result<voxel::Grid> grid = scene::fit_grid(
+        input.scene, static_cast<std::uint32_t>(input.settings.integer("res")), adjacency_of(input.settings));
+    if (!grid) return tl::make_unexpected(grid.error());
+    const Result<std::vector<surface::LimitSurface>> surfaces = limit_surfaces(input.scene, *grid);
+    if (!surfaces) return tl::make_unexpected(surfaces.error());
+    ProgressLine line(context.show_progress);
+    voxel::VoxelizerOptions options;
+    options.representatives = false;
+    options.threads = static_cast<unsigned>(input.settings.integer("threads"));
+    options.progress = [&](double done) {
+      context.interruption.check();
+      line.update("voxelize", done);
+    };
+    return voxel::voxelize(*surfaces, *grid, options);
+  }
+
+  Result<void> write(const voxel::VoxelSet& voxels) const {
+    const std::vector<std::array<std::int32_t, 3>> rows = sorted_coordinates(voxels);
+    OutputFiles files;
+    for (const fs::path& output : outputs_) {
+      Result<void> added = files.add(output, [&](const fs::path& temporary) {
+        return output.extension() == ".npy" ? write_npy(temporary, rows)
+                                            : write_vdb(temporary, rows, voxels.grid);
+      });
+      if (added) {
+        added = files.add(fs::path(output).replace_extension(".json"), [&](const fs::path& temporary) {
+          return write_bytes(temporary, grid_json(voxels.grid).dump(2) + "\n");
+        });
+      }
+      if (!added) return added;
+    }
+    return files.commit();
+  }
+
+  void report(const voxel::VoxelSet& voxels) const {
+    const voxel::VoxelStatistics& s = voxels.statistics;
+    const double count = static_cast<double>(voxels.voxels.size());
+    if (json_) {
+      nlohmann::ordered_json figures = {{"voxels", voxels.voxels.size()},
+                                        {"evaluations", s.evaluations},
+                                        {"subpatches", s.subpatches},
+                                        {"floor_hits", s.floor_hits},
+                                        {"seconds", s.seconds},
+                                        {"grid", grid_json(voxels.grid)},
+                                        {"files", nlohmann::ordered_json::array()}};
+      for (const fs::path& output : outputs_) figures["files"].push_back(output.string());
+      fmt::print("{}\n", figures.dump(2));
+      return;
+    }
+    fmt::print("{} voxels at {}^3, {}-adjacent, {:.2f} evaluations a voxel, {:.3f} s\n", voxels.voxels.size(),
+               voxels.grid.res, static_cast<int>(voxels.grid.adjacency),
+               static_cast<double>(s.evaluations) / count, s.seconds);
+    if (s.floor_hits > 0) fmt::print("{} subpatches reached the recursion floor\n", s.floor_hits);
+    for (const fs::path& output : outputs_) fmt::print("{}\n", output.string());
+  }
+
+  fs::path model_;
+  std::string res_, adjacency_;
+  std::vector<fs::path> outputs_;
+  bool json_ = false;
+  std::vector<std::string> set_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_voxelize_command() {
+  return std::make_unique<VoxelizeCommand>();
+}
+
+}  // namespace gnomon::cli
