@@ -132,7 +132,8 @@ bool compile_and_link(const Toolchain& tools, const ModelSpec& spec, const fs::p
                       const fs::path& work) {
   const std::string trace = spec.trace ? "1" : "0";
   const Arguments instrumentation{"-DVM_TRACE=" + trace, "-DVM_TRACE_FST=" + trace, "-DVM_TRACE_VCD=0",
-                                  std::string("-DVM_COVERAGE=") + (spec.coverage ? "1" : "0")};
+                                  std::string("-DVM_COVERAGE=") + (spec.coverage ? "1" : "0"),
+                                  std::string("-DGNOMON_SAVABLE=") + (spec.coverage ? "0" : "1")};
   const Arguments compile =
       joined(joined(tools.compiler, compile_flags()), joined(instrumentation, include_flags(tools)));
   Process slow(joined(compile, joined(kSlow, {"-c", "slow.cc", "-o", "slow.o"})), work, work / kLog);

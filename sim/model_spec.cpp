@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 namespace gnomon::sim {
@@ -44,16 +45,20 @@ std::string describe(const ModelSpec& spec) {
 std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
   // Waveforms are in ns. What is x in SystemVerilog is random here, so that a result depending on it shows
   // up.
-  std::vector<std::string> arguments{
-      "--cc",   "--top-module", "gnomon_top", "--prefix",  "Vgnomon_top",          "-O3",    "--x-assign",
-      "unique", "--x-initial",  "unique",     "--savable", "--timescale-override", "1ns/1ns"};
+  std::vector<std::string> arguments{"--cc",        "--top-module", "gnomon_top",           "--prefix",
+                                     "Vgnomon_top", "-O3",          "--x-assign",           "unique",
+                                     "--x-initial", "unique",       "--timescale-override", "1ns/1ns"};
   for (const auto& [name, value] : parameters(spec.config)) {
-    arguments.push_back(fmt::format("-G{}={}", name, value));
+    const bool one_bit = std::string_view(name).starts_with("EN_");
+    arguments.push_back(fmt::format("-G{}={}{}", name, one_bit ? "1'b" : "", value));
   }
   for (const std::string& define : spec.defines) arguments.push_back("+define+" + define);
   if (spec.trace) arguments.insert(arguments.end(), {"--trace-fst", "--trace-structs"});
-  if (spec.coverage)
+  if (spec.coverage) {  // Verilator offers only one of coverage and saving
     arguments.insert(arguments.end(), {"--coverage-line", "--coverage-toggle", "--coverage-user"});
+  } else {
+    arguments.push_back("--savable");
+  }
   if (spec.assertions) arguments.push_back("--assert");
   if (spec.plain_bit_operations) arguments.push_back("-fno-const-bit-op-tree");
   return arguments;

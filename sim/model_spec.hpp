@@ -10,14 +10,14 @@ namespace gnomon::sim {
 
 /// Everything that decides what a compiled model does, besides the RTL itself.
 struct ModelSpec {
-  golden::HardwareConfig config;
+  golden::HardwareConfig config{};
   bool trace = false;       ///< can write waveforms; up to a third slower even while it writes none
   bool coverage = false;    ///< counts lines and toggles
   bool assertions = false;  ///< the RTL's assertions stop the model
   /// Without Verilator's rewriting of bit operations (-fno-const-bit-op-tree), a source of wrong code in some
   /// of its versions: for the test that both give the same answers.
   bool plain_bit_operations = false;
-  std::vector<std::string> defines;  ///< preprocessor names, e.g. a GNOMON_MUTATE_* fault
+  std::vector<std::string> defines{};  ///< preprocessor names, e.g. a GNOMON_MUTATE_* fault
 
   bool operator==(const ModelSpec&) const = default;
 };

@@ -285,7 +285,7 @@ std::vector<std::uint32_t> RtlEngineImpl::read_plane() {
   const std::vector<Word> pending = std::exchange(results_, {});
   const std::vector<std::uint64_t> pending_cycles = std::exchange(result_cycles_, {});
   const std::uint64_t given = results_given_;
-  api_.save(model_.get());
+  if (!api_.save(model_.get())) throw std::logic_error("a model that counts coverage cannot be read back");
   GnomonModelRun run = new_run(words);
   run.until_idle = 1;
   run_to_end(run);

@@ -29,8 +29,8 @@ struct PortStall {
 
 /// Random holding back of both ports, the same for the same seed.
 struct StallProfile {
-  PortStall command;
-  PortStall result;
+  PortStall command{};
+  PortStall result{};
   std::uint64_t seed = 1;
 };
 
@@ -97,6 +97,7 @@ class Aborted : public std::runtime_error {
 };
 
 /// An engine that knows at which cycle each result word left it. After an exception only reset() is of use.
+/// read_plane throws std::logic_error if the model counts coverage.
 class RtlEngine : public golden::Engine {
  public:
   /// Result words and, for each of them, the cycle since reset at which it was taken from the hardware.

@@ -11,7 +11,9 @@
 #include "Vgnomon_top.h"
 #include "model_abi.h"
 #include "verilated.h"
+#if GNOMON_SAVABLE
 #include "verilated_save.h"
+#endif
 #if VM_TRACE
 #include "verilated_fst_c.h"
 #endif
@@ -25,6 +27,7 @@ thread_local std::string* t_messages = nullptr;
 
 constexpr uint64_t kNanosecondsPerCycle = 10;
 
+#if GNOMON_SAVABLE
 /// Serializes into memory instead of a file.
 class StateWriter final : public VerilatedSerialize {
  public:
@@ -56,6 +59,7 @@ class StateReader final : public VerilatedDeserialize {
   const std::vector<uint8_t>& bytes_;
   size_t read_ = 0;
 };
+#endif
 
 /// Whether a port is open: a function of the cycle and the seed alone.
 class Gate {
@@ -172,21 +176,28 @@ class Model {
 #endif
   }
 
-  void save() {
+  bool save() {
+#if GNOMON_SAVABLE
     StateWriter writer(saved_);
     writer << *top_;
     writer.flush();
     saved_cycle_ = cycle_;
     saved_offering_ = offering_;
     probing_ = true;
+    return true;
+#else
+    return false;
+#endif
   }
 
   void restore() {
+#if GNOMON_SAVABLE
     StateReader reader(saved_);
     reader >> *top_;
     cycle_ = saved_cycle_;
     offering_ = saved_offering_;
     probing_ = false;
+#endif
   }
 
  private:
@@ -291,7 +302,7 @@ const GnomonModelApi kApi = {
     },
     [](void* m) { model_of(m).trace_close(); },
     [](void* m, const char* path) { return model_of(m).write_coverage(path) ? 1 : 0; },
-    [](void* m) { model_of(m).save(); },
+    [](void* m) { return model_of(m).save() ? 1 : 0; },
     [](void* m) { model_of(m).restore(); },
 };
 

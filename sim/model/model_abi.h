@@ -68,7 +68,8 @@ typedef struct GnomonModelApi {
   // 0 if the model was built without coverage.
   int (*write_coverage)(void* model, const char* path);
   // Keeps the whole state; restore goes back to it. Cycles between the two are not written to a waveform.
-  void (*save)(void* model);
+  // save gives 0 in a model that counts coverage: Verilator offers only one of the two.
+  int (*save)(void* model);
   void (*restore)(void* model);
 } GnomonModelApi;
 

@@ -1,0 +1,1 @@
+gnomon_top.sv
