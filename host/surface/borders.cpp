@@ -25,48 +25,41 @@ double diagonal(const std::vector<Vec3>& points) {
 
 }  // namespace
 
+// Numbers the curves and vertices, finds their owners, and fills the tables of one Borders.
 class BorderBuilder {
  public:
-  BorderBuilder(const Cage& cage, const FaceSource& source, const std::vector<ParametricFace>& faces)
-      : cage_(cage), source_(source), faces_(faces), tolerance_(kAgreement * diagonal(cage.positions)) {
-    number_faces();
-    find_owners();
+  BorderBuilder(Borders& out, const Cage& cage, const FaceSource& source,
+                const std::vector<ParametricFace>& faces)
+      : out_(out),
+        cage_(cage),
+        source_(source),
+        faces_(faces),
+        tolerance_(kAgreement * diagonal(cage.positions)) {
+    first_.assign(index(cage.face_count()), 0);
+    for (std::size_t i = faces.size(); i-- > 0;)
+      first_[index(faces[i].cage_face)] = static_cast<std::uint32_t>(i);
+    own_edges_and_vertices();
+    own_inner_borders();
+    for (std::uint32_t f = 0; f < faces.size(); ++f) out_.faces_.push_back(border(f));
   }
-
-  Borders::FaceBorder border(std::uint32_t face) const {
-    Borders::FaceBorder b;
-    for (int side = 0; side < 4; ++side) {
-      for (int half = 0; half < 2; ++half) b.sides[index(side)][index(half)] = piece(face, side, half);
-    }
-    for (int corner = 0; corner < 4; ++corner) {
-      const Place p = corner_owner(face, corner);
-      b.corners[index(corner)] = {p.face, static_cast<float>(p.u), 0, static_cast<float>(p.v), 0};
-    }
-    return b;
-  }
-
-  std::uint32_t torn() const { return torn_; }
 
  private:
+  // An edge of a cage face as a stretch of a curve.
+  struct Edge {
+    std::uint32_t curve;
+    bool reversed;
+  };
+
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  bool quad(int cage_face) const { return cage_.sizes[index(cage_face)] == 4; }
-  int next(Feature f) const { return (f.index + 1) % cage_.sizes[index(f.face)]; }
-  int previous(Feature f) const {
-    const int n = cage_.sizes[index(f.face)];
-    return (f.index + n - 1) % n;
-  }
+  std::size_t slot(Feature f) const { return index(cage_.offsets[index(f.face)] + f.index); }
+  int size(int cage_face) const { return cage_.sizes[index(cage_face)]; }
+  bool quad(int cage_face) const { return size(cage_face) == 4; }
+  int next(Feature f) const { return (f.index + 1) % size(f.face); }
+  int previous(Feature f) const { return (f.index + size(f.face) - 1) % size(f.face); }
+  int vertex(Feature f) const { return cage_.face(f.face)[index(f.index)]; }
   std::uint32_t parametric(int cage_face, int sub_face) const {
     return first_[index(cage_face)] + static_cast<std::uint32_t>(sub_face);
   }
-
-  void number_faces() {
-    first_.assign(index(cage_.face_count()), 0);
-    for (std::size_t i = faces_.size(); i-- > 0;)
-      first_[index(faces_[i].cage_face)] = static_cast<std::uint32_t>(i);
-    feature_base_.assign(cage_.offsets.begin(), cage_.offsets.end());
-  }
-
-  std::size_t slot(Feature f) const { return index(feature_base_[index(f.face)] + f.index); }
 
   // A point of an edge, `t` running as the face winds.
   Place on_edge(Feature e, double t) const {
@@ -95,9 +88,8 @@ class BorderBuilder {
   Vec3 raw(Place p) const { return source_.position(faces_[p.face], p.u, p.v); }
   bool agree(Place a, Place b) const { return (raw(a) - raw(b)).length() <= tolerance_; }
 
-  bool reversed(Feature a, Feature b) const {
-    return cage_.face(a.face)[index(a.index)] != cage_.face(b.face)[index(b.index)];
-  }
+  // Whether two edges between the same vertices wind against each other.
+  bool reversed(Feature a, Feature b) const { return vertex(a) != vertex(b); }
 
   bool edges_agree(Feature a, Feature b) const {
     const bool flip = reversed(a, b);
@@ -105,114 +97,139 @@ class BorderBuilder {
                                [&](double t) { return agree(on_edge(a, t), on_edge(b, flip ? 1 - t : t)); });
   }
 
+  struct Owner {
+    Feature feature;
+    std::uint32_t id;
+  };
+
   // The first face in canonical order owns what it shares; a face that disagrees starts a group of its own.
-  template <class Agree>
-  Feature join(std::vector<Feature>& owners, Feature f, Agree agrees) {
-    const auto found = std::ranges::find_if(owners, [&](Feature o) { return agrees(f, o); });
+  template <class Agree, class Create>
+  Owner join(std::vector<Owner>& owners, Feature f, Agree agrees, Create create) {
+    const auto found = std::ranges::find_if(owners, [&](const Owner& o) { return agrees(f, o.feature); });
     if (found != owners.end()) return *found;
-    if (!owners.empty()) ++torn_;
-    owners.push_back(f);
-    return f;
+    if (!owners.empty()) ++out_.torn_;
+    owners.push_back({f, create(f)});
+    return owners.back();
   }
 
-  void find_owners() {
-    std::map<std::pair<int, int>, std::vector<Feature>> edges;
-    std::vector<std::vector<Feature>> vertices(cage_.positions.size());
-    edge_owner_.resize(cage_.indices.size());
-    vertex_owner_.resize(cage_.indices.size());
+  std::uint32_t add_vertex(Place p) {
+    out_.vertices_.push_back(p);
+    return static_cast<std::uint32_t>(out_.vertices_.size() - 1);
+  }
+
+  // Two samples of a half determine its map; every number here is a small dyadic, so nothing is rounded.
+  template <class At>
+  std::uint32_t add_curve(At at) {
+    Borders::Curve curve{};
+    for (const int half : {0, 1}) {
+      const double t = half == 0 ? 0.125 : 0.625;
+      const Place a = at(t);
+      const Place b = at(t + 0.25);
+      const double du = (b.u - a.u) * 4;
+      const double dv = (b.v - a.v) * 4;
+      curve[index(half)] = {a.face, static_cast<float>(a.u - du * t), static_cast<float>(du),
+                            static_cast<float>(a.v - dv * t), static_cast<float>(dv)};
+    }
+    out_.curves_.push_back(curve);
+    return static_cast<std::uint32_t>(out_.curves_.size() - 1);
+  }
+
+  void own_edges_and_vertices() {
+    std::map<std::pair<int, int>, std::vector<Owner>> edges;
+    std::vector<std::vector<Owner>> vertices(cage_.positions.size());
+    edges_.resize(cage_.indices.size());
+    vertices_.resize(cage_.indices.size());
     for (int f = 0; f < cage_.face_count(); ++f) {
       if (!source_.valid(f)) continue;
-      for (int k = 0; k < cage_.sizes[index(f)]; ++k) {
-        const Feature feature{f, k};
-        const int a = cage_.face(f)[index(k)];
-        const int b = cage_.face(f)[index(next(feature))];
-        edge_owner_[slot(feature)] = join(edges[std::minmax(a, b)], feature,
-                                          [this](Feature x, Feature y) { return edges_agree(x, y); });
-        vertex_owner_[slot(feature)] = join(vertices[index(a)], feature, [this](Feature x, Feature y) {
-          return agree(on_vertex(x), on_vertex(y));
-        });
+      for (int k = 0; k < size(f); ++k) {
+        const Feature here{f, k};
+        const int a = vertex(here);
+        const int b = vertex({f, next(here)});
+        const Owner edge = join(
+            edges[std::minmax(a, b)], here, [this](Feature x, Feature y) { return edges_agree(x, y); },
+            [this](Feature x) { return add_curve([&](double t) { return on_edge(x, t); }); });
+        edges_[slot(here)] = {edge.id, reversed(here, edge.feature)};
+        vertices_[slot(here)] =
+            join(
+                vertices[index(a)], here,
+                [this](Feature x, Feature y) { return agree(on_vertex(x), on_vertex(y)); },
+                [this](Feature x) { return add_vertex(on_vertex(x)); })
+                .id;
       }
     }
   }
 
-  Place owned_edge_point(Feature e, double t) const {
-    const Feature owner = edge_owner_[slot(e)];
-    return on_edge(owner, reversed(e, owner) ? 1 - t : t);
-  }
-
-  Place side_owner(std::uint32_t face, int side, double t) const {
-    const auto [cage_face, sub] = faces_[face];
-    if (sub < 0) return owned_edge_point({cage_face, side}, side < 2 ? t : 1 - t);
-    const int before = previous({cage_face, sub});
-    switch (side) {
-      case 0:
-        return owned_edge_point({cage_face, sub}, t / 2);
-      case 1:
-        return {face, 1, t};
-      case 2:
-        return {parametric(cage_face, before), 1, t};
-      default:
-        return owned_edge_point({cage_face, before}, 1 - t / 2);
+  // An n-gon's centre, and the borders from the middles of its edges to it.
+  void own_inner_borders() {
+    spokes_.resize(cage_.indices.size());
+    centres_.resize(index(cage_.face_count()));
+    for (int f = 0; f < cage_.face_count(); ++f) {
+      if (!source_.valid(f) || quad(f)) continue;
+      centres_[index(f)] = add_vertex({parametric(f, 0), 1, 1});
+      for (int k = 0; k < size(f); ++k) {
+        spokes_[slot({f, k})] = add_curve([&](double t) { return Place{parametric(f, k), 1, t}; });
+      }
     }
   }
 
-  Place corner_owner(std::uint32_t face, int corner) const {
-    const auto [cage_face, sub] = faces_[face];
-    if (sub < 0) return on_vertex(vertex_owner_[slot({cage_face, corner})]);
-    switch (corner) {
-      case 0:
-        return on_vertex(vertex_owner_[slot({cage_face, sub})]);
-      case 1:
-        return owned_edge_point({cage_face, sub}, 0.5);
-      case 2:
-        return {parametric(cage_face, 0), 1, 1};
-      default:
-        return owned_edge_point({cage_face, previous({cage_face, sub})}, 0.5);
+  Borders::Side edge_side(Feature e, float a, float b) const {
+    const Edge edge = edges_[slot(e)];
+    return edge.reversed ? Borders::Side{edge.curve, 1 - a, -b} : Borders::Side{edge.curve, a, b};
+  }
+
+  Borders::FaceBorder border(std::uint32_t face) const {
+    const auto [f, sub] = faces_[face];
+    if (sub < 0) {
+      Borders::FaceBorder b{};
+      for (int k = 0; k < 4; ++k) {
+        b.sides[index(k)] = edge_side({f, k}, k < 2 ? 0 : 1, k < 2 ? 1 : -1);
+        b.corners[index(k)] = {true, vertices_[slot({f, k})], 0};
+      }
+      return b;
     }
+    const Feature leaving{f, sub};
+    const Feature arriving{f, previous(leaving)};
+    return {{edge_side(leaving, 0, 0.5F), Borders::Side{spokes_[slot(leaving)], 0, 1},
+             Borders::Side{spokes_[slot(arriving)], 0, 1}, edge_side(arriving, 1, -0.5F)},
+            {Borders::Corner{true, vertices_[slot(leaving)], 0},
+             Borders::Corner{false, edges_[slot(leaving)].curve, 0.5F},
+             Borders::Corner{true, centres_[index(f)], 0},
+             Borders::Corner{false, edges_[slot(arriving)].curve, 0.5F}}};
   }
 
-  // Two samples of a half determine the map; every number here is a small dyadic, so nothing is rounded.
-  Borders::Piece piece(std::uint32_t face, int side, int half) const {
-    const double t = half == 0 ? 0.125 : 0.625;
-    const Place a = side_owner(face, side, t);
-    const Place b = side_owner(face, side, t + 0.25);
-    const double du = (b.u - a.u) * 4;
-    const double dv = (b.v - a.v) * 4;
-    return {a.face, static_cast<float>(a.u - du * t), static_cast<float>(du),
-            static_cast<float>(a.v - dv * t), static_cast<float>(dv)};
-  }
-
+  Borders& out_;
   const Cage& cage_;
   const FaceSource& source_;
   const std::vector<ParametricFace>& faces_;
   double tolerance_;
   std::vector<std::uint32_t> first_;  // parametric face of each cage face
-  std::vector<int> feature_base_;     // of each cage face in the two lists below
-  std::vector<Feature> edge_owner_, vertex_owner_;
-  std::uint32_t torn_ = 0;
+  std::vector<Edge> edges_;           // these three: of each corner of each cage face
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint32_t> spokes_;
+  std::vector<std::uint32_t> centres_;  // of each cage face
 };
 
 Borders::Borders(const Cage& cage, const FaceSource& source, const std::vector<ParametricFace>& faces) {
-  const BorderBuilder builder(cage, source, faces);
-  torn_ = builder.torn();
-  faces_.reserve(faces.size());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) faces_.push_back(builder.border(f));
+  BorderBuilder(*this, cage, source, faces);
 }
 
-Place Borders::owner(std::uint32_t face, double u, double v) const {
+BorderSpot Borders::spot(std::uint32_t face, double u, double v) const {
   const FaceBorder& border = faces_[face];
   const bool on_u = u == 0 || u == 1;
   const bool on_v = v == 0 || v == 1;
   if (on_u && on_v) {
-    const std::size_t corner = v == 0 ? (u == 0 ? 0 : 1) : (u == 0 ? 3 : 2);
-    const Piece& p = border.corners[corner];
-    return {p.face, p.u0, p.v0};
+    const Corner& c = border.corners[v == 0 ? (u == 0 ? 0 : 1) : (u == 0 ? 3 : 2)];
+    return {c.vertex, c.id, c.t};
   }
-  const std::size_t side = on_v ? (v == 0 ? 0 : 2) : (u == 0 ? 3 : 1);
-  const double t = on_v ? u : v;
-  const Piece& p = border.sides[side][t <= 0.5 ? 0 : 1];
-  return {p.face, static_cast<double>(p.u0) + static_cast<double>(p.du) * t,
-          static_cast<double>(p.v0) + static_cast<double>(p.dv) * t};
+  const Side& side = border.sides[on_v ? (v == 0 ? 0 : 2) : (u == 0 ? 3 : 1)];
+  return {false, side.curve, static_cast<double>(side.a) + static_cast<double>(side.b) * (on_v ? u : v)};
+}
+
+Place Borders::place(const BorderSpot& spot) const {
+  if (spot.vertex) return vertices_[spot.id];
+  const Piece& p = curves_[spot.id][spot.t <= 0.5 ? 0 : 1];
+  return {p.face, static_cast<double>(p.u0) + static_cast<double>(p.du) * spot.t,
+          static_cast<double>(p.v0) + static_cast<double>(p.dv) * spot.t};
 }
 
 }  // namespace gnomon::surface

@@ -137,7 +137,11 @@ Vec3 LimitSurface::normal(std::uint32_t face, double u, double v) const {
 }
 
 Place LimitSurface::owner(std::uint32_t face, double u, double v) const {
-  return on_border(u, v) ? impl_->borders.owner(face, u, v) : Place{face, u, v};
+  return on_border(u, v) ? impl_->borders.place(impl_->borders.spot(face, u, v)) : Place{face, u, v};
+}
+
+const Borders& LimitSurface::borders() const {
+  return impl_->borders;
 }
 
 const PatchTree& LimitSurface::pieces(std::uint32_t face) const {

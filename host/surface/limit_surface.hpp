@@ -13,6 +13,7 @@
 
 namespace gnomon::surface {
 
+class Borders;
 class PatchTree;
 
 /// A parameter of a parametric face.
@@ -54,6 +55,7 @@ class LimitSurface {
   UnitNormal unit_normal(std::uint32_t face, double u, double v) const;
   /// Where position() evaluates: border points belong to one of the faces that share them.
   Place owner(std::uint32_t face, double u, double v) const;
+  const Borders& borders() const;
   /// The polynomials a face is made of, for those who evaluate many points of it.
   const PatchTree& pieces(std::uint32_t face) const;
   /// Box that holds the whole surface (of control points), in grid coordinates.

@@ -56,4 +56,17 @@ struct VoxelSet {
   VoxelStatistics statistics;
 };
 
+/// A set voxel's place alone.
+struct VoxelCoordinate {
+  std::uint16_t x, y, z;
+};
+
+/// The same set of voxels where nothing but their places is wanted: 6 bytes each.
+struct CoordinateSet {
+  Grid grid;
+  std::vector<VoxelCoordinate>
+      voxels;  ///< unique; ordered by brick of 8x8x8 voxels (z, y, x), then by z, y, x
+  VoxelStatistics statistics;
+};
+
 }  // namespace gnomon::voxel

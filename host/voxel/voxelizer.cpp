@@ -1,191 +1,222 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recursion over every face, and the merging of what the faces found.
+// Blocks through the workers, their voxels merged in the order of the blocks.
 #include "host/voxel/voxelizer.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <map>
-#include <mutex>
-#include <unordered_map>
+#include <memory>
 
-#include "host/voxel/voxel_key.hpp"
+#include "host/voxel/block_worker.hpp"
+#include "host/voxel/brick_set.hpp"
 
 namespace gnomon::voxel {
 namespace {
 
-constexpr int kMaxLevels = 24;
+// Blocks are handed out in batches of about so many lattice points, so that small faces do not cost a task
+// each.
+constexpr std::size_t kBatchPoints = 32768;
+constexpr std::uint32_t kLargestGrid = 65535;
+constexpr std::size_t kMostObjects = 65536;
 
-struct Point {
-  VoxelKey key;
-  std::uint32_t u, v;  // in units of 2^-24
+struct Batch {
+  std::vector<Block> blocks;
+  BlockOutput output;
 };
 
-struct Leaf {
-  std::uint32_t u0, v0, u1, v1;
-  std::array<VoxelKey, 4> corner;
-};
+std::optional<Error> check(std::span<const surface::LimitSurface> surfaces, const Grid& grid) {
+  if (grid.res < 1 || grid.res > kLargestGrid) {
+    return Error{fmt::format("res={} is out of range 1..{}", grid.res, kLargestGrid)};
+  }
+  if (surfaces.size() > kMostObjects) {
+    return Error{
+        fmt::format("{} objects are too many, at most {} can be voxelized", surfaces.size(), kMostObjects)};
+  }
+  const double res = grid.res;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Box3 b = surfaces[i].bounds();
+    for (int k = 0; k < 3; ++k) {
+      if (!(b.min[k] >= 0 && b.max[k] <= res)) {
+        return Error{fmt::format("object {} spans {}..{} on axis {}, outside the grid 0..{}", i, b.min[k],
+                                 b.max[k], "xyz"[k], grid.res)};
+      }
+    }
+  }
+  return std::nullopt;
+}
 
-struct FaceVoxels {
-  std::vector<Point> points;
-  std::vector<Leaf> leaves;
-  std::uint64_t floor_hits = 0;
-};
+void add(VoxelStatistics& sum, const VoxelStatistics& s) {
+  sum.evaluations += s.evaluations;
+  sum.subpatches += s.subpatches;
+  sum.floor_hits += s.floor_hits;
+  sum.zero_normals += s.zero_normals;
+}
 
-template <Adjacency kAdjacency>
-class FaceRecursion {
+// One run over all blocks. `merge` is called with every batch, one at a time and in order.
+class Run {
  public:
-  FaceRecursion(const surface::LimitSurface& s, std::uint32_t face, double res, int floor)
-      : surface_(s), face_(face), res_(res), floor_(floor) {}
+  Run(std::span<const surface::LimitSurface> surfaces, const Grid& grid, const VoxelizerOptions& options)
+      : surfaces_(surfaces), rules_(RecursionRules::of(grid)), options_(options), source_(surfaces, rules_) {
+    for (const auto& s : surfaces) {
+      total_area_ += s.face_count();
+      if (grid.adjacency != Adjacency::N6) borders_.emplace_back(s);
+    }
+  }
 
-  FaceVoxels run() {
-    constexpr std::uint32_t kOne = 1u << kMaxLevels;
-    cell(0, 0, kOne, kOne);
-    return std::move(out_);
+  template <class Merge>
+  VoxelStatistics operator()(Wanted wanted, Merge merge) {
+    VoxelStatistics statistics;
+    const auto threads =
+        options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads);
+    tbb::task_arena arena(threads);
+    const std::size_t tokens = 4 * static_cast<std::size_t>(arena.max_concurrency());
+    tbb::enumerable_thread_specific<BlockWorker> workers(
+        [&] { return BlockWorker(surfaces_, borders_, rules_, wanted); });
+    const auto produce = [&](tbb::flow_control& control) -> std::shared_ptr<Batch> {
+      auto batch = next_batch();
+      if (!batch) control.stop();
+      return batch;
+    };
+    const auto work = [&](std::shared_ptr<Batch> batch) {
+      BlockWorker& worker = workers.local();
+      for (const Block& b : batch->blocks) worker.run(b, batch->output);
+      return batch;
+    };
+    const auto collect = [&](const std::shared_ptr<Batch>& batch) {
+      merge(batch->output);
+      add(statistics, batch->output.statistics);
+      report(batch->output.area);
+    };
+    using Passed = std::shared_ptr<Batch>;
+    arena.execute([&] {
+      tbb::parallel_pipeline(tokens,
+                             tbb::make_filter<void, Passed>(tbb::filter_mode::serial_in_order, produce) &
+                                 tbb::make_filter<Passed, Passed>(tbb::filter_mode::parallel, work) &
+                                 tbb::make_filter<Passed, void>(tbb::filter_mode::serial_in_order, collect));
+    });
+    statistics.evaluations += source_.evaluations();
+    return statistics;
   }
 
  private:
-  VoxelKey at(std::uint32_t u, std::uint32_t v) {
-    const auto [it, fresh] = seen_.try_emplace(std::uint64_t{v} << 32 | u);
-    if (fresh) {
-      const Vec3 p = surface_.position(face_, std::ldexp(u, -kMaxLevels), std::ldexp(v, -kMaxLevels));
-      it->second = pack(snap(p.x, res_) >> kFractionBits, snap(p.y, res_) >> kFractionBits,
-                        snap(p.z, res_) >> kFractionBits);
-      out_.points.push_back({it->second, u, v});
+  std::shared_ptr<Batch> next_batch() {
+    auto batch = std::make_shared<Batch>();
+    for (std::size_t points = 0; points < kBatchPoints;) {
+      const auto block = source_.next();
+      if (!block) break;
+      batch->blocks.push_back(*block);
+      points += block->points();
     }
-    return it->second;
+    return batch->blocks.empty() ? nullptr : batch;
   }
 
-  void cell(std::uint32_t u0, std::uint32_t v0, std::uint32_t u1, std::uint32_t v1) {
-    const std::array c{at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)};
-    constexpr auto kN = kAdjacency;
-    bool split_u = (gap<kN>(c[0], c[1]) | gap<kN>(c[3], c[2])) != 0;
-    bool split_v = (gap<kN>(c[0], c[3]) | gap<kN>(c[1], c[2])) != 0;
-    if (!split_u && !split_v && gap<kN>(c[0], c[2]) != 0 && gap<kN>(c[1], c[3]) != 0) {
-      split_u = u1 - u0 >= v1 - v0;
-      split_v = !split_u;
-    }
-    const std::uint32_t smallest = 1u << (kMaxLevels - floor_);
-    const bool floored = (split_u && u1 - u0 <= smallest) || (split_v && v1 - v0 <= smallest);
-    if (floored || !(split_u || split_v)) {
-      out_.floor_hits += floored ? 1 : 0;
-      out_.leaves.push_back({u0, v0, u1, v1, c});
-      return;
-    }
-    const std::uint32_t um = (u0 + u1) / 2;
-    const std::uint32_t vm = (v0 + v1) / 2;
-    if (split_u && split_v) {
-      cell(u0, v0, um, vm);
-      cell(um, v0, u1, vm);
-      cell(u0, vm, um, v1);
-      cell(um, vm, u1, v1);
-    } else if (split_u) {
-      cell(u0, v0, um, v1);
-      cell(um, v0, u1, v1);
-    } else {
-      cell(u0, v0, u1, vm);
-      cell(u0, vm, u1, v1);
-    }
+  void report(double area) {
+    done_area_ += area;
+    if (options_.progress) options_.progress(done_area_ / total_area_);
   }
 
-  const surface::LimitSurface& surface_;
-  std::uint32_t face_;
-  double res_;
-  int floor_;
-  std::unordered_map<std::uint64_t, VoxelKey> seen_;
-  FaceVoxels out_;
+  std::span<const surface::LimitSurface> surfaces_;
+  RecursionRules rules_;
+  const VoxelizerOptions& options_;
+  BlockSource source_;
+  std::vector<BorderCache> borders_;
+  double total_area_ = 0, done_area_ = 0;
 };
 
-float parameter(std::uint32_t i) {
-  return std::ldexp(static_cast<float>(i), -kMaxLevels);
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
+
+VoxelKey key_of(const Voxel& v) {
+  return pack(v.x, v.y, v.z);
+}
+
+Voxel bare_voxel(VoxelKey key) {
+  Voxel v{};
+  v.x = static_cast<std::uint16_t>(key_x(key));
+  v.y = static_cast<std::uint16_t>(key_y(key));
+  v.z = static_cast<std::uint16_t>(key_z(key));
+  return v;
+}
+
+// What N = 6 adds when all blocks are merged.
+struct Extras {
+  std::vector<Voxel> voxels;
+  std::vector<BorderSide> sides;
+
+  void gather(const BlockOutput& out) {
+    voxels.insert(voxels.end(), out.extra_voxels.begin(), out.extra_voxels.end());
+    for (const VoxelKey k : out.extra_keys) voxels.push_back(bare_voxel(k));
+    sides.insert(sides.end(), out.sides.begin(), out.sides.end());
+  }
+
+  template <class Add>
+  void release(std::uint32_t res, Add add_voxel) {
+    for (const Voxel& v : voxels) add_voxel(v);
+    for_each_gap(sides, [&](const BorderSide& side, const Triangle& gap) {
+      for_each_touched(gap, res, [&](VoxelKey key) { add_voxel(moved_into(key, side.representative)); });
+    });
+  }
+};
 
 }  // namespace
 
 Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const Grid& grid,
                           const VoxelizerOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const double res = grid.res;
-  for (const auto& s : surfaces) {
-    const Box3 b = s.bounds();
-    if (!(b.min.x >= 0 && b.min.y >= 0 && b.min.z >= 0 && b.max.x <= res && b.max.y <= res &&
-          b.max.z <= res)) {
-      return fail(fmt::format("a surface leaves the grid of {} voxels a side", grid.res));
-    }
-  }
-  const int floor_level = std::min(kMaxLevels, static_cast<int>(std::ceil(std::log2(res) / 0.6)) + 2);
+  if (const auto fault = check(surfaces, grid)) return tl::make_unexpected(*fault);
   VoxelSet set;
   set.grid = grid;
-  std::unordered_map<VoxelKey, std::uint32_t> index;
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(options.threads));
-  std::uint64_t total_faces = 0;
-  std::uint64_t done_faces = 0;
-  for (const auto& s : surfaces) total_faces += s.face_count();
-  for (std::uint32_t object = 0; object < surfaces.size(); ++object) {
-    const auto& s = surfaces[object];
-    std::vector<FaceVoxels> found(s.face_count());
-    arena.execute([&] {
-      tbb::parallel_for(std::uint32_t{0}, s.face_count(), [&](std::uint32_t face) {
-        switch (grid.adjacency) {
-          case Adjacency::N18:
-            found[face] = FaceRecursion<Adjacency::N18>(s, face, res, floor_level).run();
-            break;
-          default:
-            found[face] = FaceRecursion<Adjacency::N26>(s, face, res, floor_level).run();
-            break;
-        }
-      });
-    });
-    for (std::uint32_t face = 0; face < s.face_count(); ++face) {
-      FaceVoxels& f = found[face];
-      set.statistics.evaluations += f.points.size();
-      set.statistics.floor_hits += f.floor_hits;
-      set.statistics.subpatches += f.leaves.size();
-      std::sort(f.points.begin(), f.points.end(),
-                [](const Point& a, const Point& b) { return a.v != b.v ? a.v < b.v : a.u < b.u; });
-      for (const Point& p : f.points) {
-        if (!index.try_emplace(p.key, static_cast<std::uint32_t>(set.voxels.size())).second) continue;
-        Voxel voxel{};
-        voxel.x = static_cast<std::uint16_t>(key_x(p.key));
-        voxel.y = static_cast<std::uint16_t>(key_y(p.key));
-        voxel.z = static_cast<std::uint16_t>(key_z(p.key));
-        voxel.object = static_cast<std::uint16_t>(object);
-        voxel.face = face;
-        voxel.u = parameter(p.u);
-        voxel.v = parameter(p.v);
-        if (options.representatives) {
-          const Vec3 q = s.position(face, voxel.u, voxel.v);
-          const auto n = s.unit_normal(face, voxel.u, voxel.v);
-          set.statistics.zero_normals += n.nudged ? 1 : 0;
-          for (int k = 0; k < 3; ++k) {
-            voxel.point[k] = std::ldexp(static_cast<float>(snap(q[k], res) & 0xffff), -kFractionBits);
-            voxel.normal[k] = static_cast<float>(n.direction[k]);
-          }
-        }
-        set.voxels.push_back(voxel);
-      }
-      if (options.subpatches) {
-        for (const Leaf& l : f.leaves) {
-          set.subpatches.push_back(
-              {object,
-               face,
-               parameter(l.u0),
-               parameter(l.v0),
-               parameter(l.u1),
-               parameter(l.v1),
-               {index.at(l.corner[0]), index.at(l.corner[1]), index.at(l.corner[2]), index.at(l.corner[3])}});
-        }
-      }
-      if (options.progress)
-        options.progress(static_cast<double>(++done_faces) / static_cast<double>(total_faces));
+  BrickSet members(options.subpatches);
+  Extras extras;
+  const auto add_voxel = [&](const Voxel& v) {
+    if (members.insert(key_of(v))) set.voxels.push_back(v);
+  };
+  Run run(surfaces, grid, options);
+  set.statistics = run({options.representatives, options.subpatches}, [&](const BlockOutput& out) {
+    for (const Voxel& v : out.voxels) add_voxel(v);
+    for (const VoxelKey k : out.keys) add_voxel(bare_voxel(k));
+    for (const LeafRecord& l : out.leaves) {
+      set.subpatches.push_back({l.object,
+                                l.face,
+                                l.u0,
+                                l.v0,
+                                l.u1,
+                                l.v1,
+                                {members.index(l.corners[0]), members.index(l.corners[1]),
+                                 members.index(l.corners[2]), members.index(l.corners[3])}});
     }
-  }
-  set.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    extras.gather(out);
+  });
+  extras.release(grid.res, add_voxel);
+  set.statistics.seconds = seconds_since(start);
+  return set;
+}
+
+Result<CoordinateSet> voxelize_coordinates(std::span<const surface::LimitSurface> surfaces, const Grid& grid,
+                                           const VoxelizerOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (const auto fault = check(surfaces, grid)) return tl::make_unexpected(*fault);
+  CoordinateSet set;
+  set.grid = grid;
+  BrickSet members;
+  Extras extras;
+  Run run(surfaces, grid, options);
+  set.statistics = run({}, [&](const BlockOutput& out) {
+    for (const VoxelKey k : out.keys) members.insert(k);
+    extras.gather(out);
+  });
+  extras.release(grid.res, [&](const Voxel& v) { members.insert(key_of(v)); });
+  set.voxels.reserve(members.size());
+  members.for_each([&](VoxelKey k) {
+    set.voxels.push_back({static_cast<std::uint16_t>(key_x(k)), static_cast<std::uint16_t>(key_y(k)),
+                          static_cast<std::uint16_t>(key_z(k))});
+  });
+  set.statistics.seconds = seconds_since(start);
   return set;
 }
 

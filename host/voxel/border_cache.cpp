@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// One array of slots per border curve, as fine as the recursion can be expected to go.
+#include "host/voxel/border_cache.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/surface/patch_tree.hpp"
+
+namespace gnomon::voxel {
+namespace {
+
+// Points closer than this along a curve are not remembered.
+constexpr double kStep = 0.5;
+constexpr int kDeepest = 16;
+
+int levels_of(const surface::LimitSurface& surface, std::uint32_t curve) {
+  double fastest = 0;
+  for (const double t : {0.25, 0.75}) {
+    const surface::Place p = surface.borders().place({false, curve, t});
+    const auto region = surface.pieces(p.face).region(0, 0, 1, 1);
+    fastest = std::max(fastest, p.u == 0 || p.u == 1 ? region.v_speed : region.u_speed);
+  }
+  // Twice, because a curve along an n-gon is as long as two sides.
+  return std::clamp(static_cast<int>(std::ceil(std::log2(std::max(2 * fastest / kStep, 1.0)))), 0, kDeepest);
+}
+
+}  // namespace
+
+BorderCache::BorderCache(const surface::LimitSurface& surface) : surface_(surface) {
+  std::size_t total = surface.borders().vertex_count();
+  for (std::uint32_t c = 0; c < surface.borders().curve_count(); ++c) {
+    const int levels = levels_of(surface, c);
+    curves_.push_back({total, std::ldexp(1.0, levels)});
+    total += (std::size_t{1} << levels) + 1;
+  }
+  slots_ = std::vector<std::atomic<VoxelKey>>(total);
+}
+
+std::atomic<VoxelKey>* BorderCache::slot(const surface::BorderSpot& spot) {
+  if (spot.vertex) return &slots_[spot.id];
+  const Curve& curve = curves_[spot.id];
+  const double step = spot.t * curve.steps;
+  const auto i = static_cast<std::size_t>(step);
+  return static_cast<double>(i) == step ? &slots_[curve.first + i] : nullptr;
+}
+
+BorderCache::Answer BorderCache::voxel(std::uint32_t face, double u, double v, std::uint32_t res) {
+  const surface::BorderSpot spot = surface_.borders().spot(face, u, v);
+  std::atomic<VoxelKey>* const remembered = slot(spot);
+  if (remembered != nullptr) {
+    if (const VoxelKey k = remembered->load(std::memory_order_relaxed); k != 0) return {k - 1, false};
+  }
+  const surface::Place place = surface_.borders().place(spot);
+  const Vec3 p = surface_.position(place.face, place.u, place.v);
+  const VoxelKey key =
+      pack(snap(p.x, res) >> kFractionBits, snap(p.y, res) >> kFractionBits, snap(p.z, res) >> kFractionBits);
+  if (remembered == nullptr) return {key, true};
+  VoxelKey empty = 0;
+  return {key, remembered->compare_exchange_strong(empty, key + 1, std::memory_order_relaxed)};
+}
+
+}  // namespace gnomon::voxel

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// An open-addressing directory of bit bricks.
+#include "host/voxel/brick_set.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <tuple>
+
+namespace gnomon::voxel {
+
+BrickSet::BrickSet(bool indexed) : indexed_(indexed), directory_(1024, kNone) {}
+
+std::uint32_t BrickSet::find(VoxelKey brick) const {
+  const std::size_t mask = directory_.size() - 1;
+  for (std::size_t i = hash(brick) & mask;; i = (i + 1) & mask) {
+    if (directory_[i] == kNone || keys_[directory_[i]] == brick) return directory_[i];
+  }
+}
+
+void BrickSet::grow() {
+  directory_.assign(directory_.size() * 2, kNone);
+  const std::size_t mask = directory_.size() - 1;
+  for (std::uint32_t b = 0; b < keys_.size(); ++b) {
+    std::size_t i = hash(keys_[b]) & mask;
+    while (directory_[i] != kNone) i = (i + 1) & mask;
+    directory_[i] = b;
+  }
+}
+
+std::uint32_t BrickSet::find_or_add(VoxelKey brick) {
+  if (brick == last_key_) return last_;
+  last_key_ = brick;
+  last_ = find(brick);
+  if (last_ != kNone) return last_;
+  if (2 * (keys_.size() + 1) > directory_.size()) grow();
+  last_ = static_cast<std::uint32_t>(keys_.size());
+  keys_.push_back(brick);
+  bricks_.push_back({});
+  if (indexed_) indices_.emplace_back();
+  const std::size_t mask = directory_.size() - 1;
+  std::size_t i = hash(brick) & mask;
+  while (directory_[i] != kNone) i = (i + 1) & mask;
+  directory_[i] = last_;
+  return last_;
+}
+
+bool BrickSet::insert(VoxelKey key) {
+  const std::uint32_t b = find_or_add(brick_key(key));
+  const Spot s = spot(key);
+  std::uint64_t& word = bricks_[b][s.word];
+  const std::uint64_t bit = std::uint64_t{1} << s.bit;
+  if ((word & bit) != 0) return false;
+  word |= bit;
+  if (indexed_) indices_[b][s.word * 64 + s.bit] = static_cast<std::uint32_t>(size_);
+  ++size_;
+  return true;
+}
+
+bool BrickSet::contains(VoxelKey key) const {
+  const std::uint32_t b = find(brick_key(key));
+  const Spot s = spot(key);
+  return b != kNone && (bricks_[b][s.word] >> s.bit & 1) != 0;
+}
+
+std::uint32_t BrickSet::index(VoxelKey key) const {
+  const Spot s = spot(key);
+  return indices_[find(brick_key(key))][s.word * 64 + s.bit];
+}
+
+void BrickSet::for_each(const std::function<void(VoxelKey)>& visit) const {
+  std::vector<std::uint32_t> order(keys_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return keys_[a] < keys_[b]; });
+  for (const std::uint32_t b : order) {
+    const VoxelKey corner = keys_[b] << 3;
+    for (std::uint32_t z = 0; z < 8; ++z) {
+      for (std::uint64_t bits = bricks_[b][z]; bits != 0; bits &= bits - 1) {
+        const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+        visit(corner + pack(bit % 8, bit / 8, z));
+      }
+    }
+  }
+}
+
+}  // namespace gnomon::voxel
