@@ -2,6 +2,7 @@
 // Source files of gnomon_top in reading order, relative to this file (verilator -F rtl/gnomon.f).
 +incdir+common
 gnomon_pkg.sv
+mutations_pkg.sv
 parameter_check.sv
 common/delay_line.sv
 common/stall_gate.sv

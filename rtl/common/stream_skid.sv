@@ -20,7 +20,7 @@ module stream_skid #(
   logic             valid_q, spare_valid_q;
   logic [WIDTH-1:0] data_q, spare_q;
 
-  assign ready_o = !spare_valid_q;
+  assign ready_o = !spare_valid_q || mutations_pkg::SKID_OVERRUN;
   assign valid_o = valid_q;
   assign data_o  = data_q;
 

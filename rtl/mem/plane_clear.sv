@@ -37,7 +37,8 @@ module plane_clear #(
       generation_q <= gnomon_pkg::GENERATION_BITS'(1);
     end else if (clear_i) begin
       left_q       <= (LINE_ADDRESS_BITS + 1)'(SLICE);
-      generation_q <= (generation_q == '1) ? gnomon_pkg::GENERATION_BITS'(1) : generation_q + 1'b1;
+      if (!mutations_pkg::KEEP_GENERATION)
+        generation_q <= (generation_q == '1) ? gnomon_pkg::GENERATION_BITS'(1) : generation_q + 1'b1;
     end else if (scrubbing_o) begin
       left_q <= left_q - 1'b1;
       line_q <= line_q + 1'b1;

@@ -44,10 +44,13 @@ module plane_update #(
   logic [(STAGES+1)*OPERAND_BITS-1:0] operand;
   logic [(STAGES+1)*DEPTH-1:0]   depth;  // where forwarded
 
+  logic forward;
+  assign forward = write_q && !mutations_pkg::NO_FORWARDING;
+
   assign valid[0]                 = valid_i;
   assign index[0+:INDEX_BITS]     = index_i;
   assign operand[0+:OPERAND_BITS] = operand_i;
-  assign forwarded[0]             = write_q && write_index_q == index_i;
+  assign forwarded[0]             = forward && write_index_q == index_i;
   assign depth[0+:DEPTH]     = write_depth_q;
 
   for (genvar s = 1; s <= STAGES; s++) begin : gen_stages
@@ -68,7 +71,7 @@ module plane_update #(
     end
 
     logic hit;
-    assign hit                                   = write_q && write_index_q == index_q;
+    assign hit                                   = forward && write_index_q == index_q;
     assign valid[s]                              = valid_q;
     assign forwarded[s]                          = forwarded_q || hit;
     assign index[s*INDEX_BITS+:INDEX_BITS]       = index_q;

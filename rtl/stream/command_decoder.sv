@@ -69,7 +69,7 @@ module command_decoder #(
   assign drained     = vpu_idle_i && plane_idle_i;
   assign same_pass   = good && header.op == command_q.op &&
                        (header.op == gnomon_pkg::OP_PROJECT_VOXELS || header.op == gnomon_pkg::OP_RESOLVE_VOXELS);
-  assign take_header = state_q == StHeader && word_valid_i && (drained || same_pass);
+  assign take_header = state_q == StHeader && word_valid_i && (drained || same_pass || mutations_pkg::SKIP_BARRIER);
 
   // ---- Items ----
   logic to_vpu, to_registers, take_item, last_item;
@@ -169,7 +169,7 @@ module command_decoder #(
       sticky_q <= '0;
     end else begin
       if (error_o)     sticky_q.error_seen      <= 1'b1;
-      if (off_plane_i) sticky_q.off_plane       <= 1'b1;
+      if (off_plane_i) sticky_q.off_plane       <= !mutations_pkg::LOSE_STICKY;
       if (saturated_i) sticky_q.depth_saturated <= 1'b1;
     end
   end

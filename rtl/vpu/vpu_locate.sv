@@ -24,12 +24,14 @@ module vpu_locate #(
   localparam int unsigned CODE_BITS  = D_BITS - D_FRAC_BITS;
   localparam int unsigned DEPTH      = gnomon_pkg::DEPTH_FIELD_BITS;
 
+  localparam logic signed [D_BITS-1:0] FAULT = mutations_pkg::ROUND_DEPTH ? D_BITS'(1) << (D_FRAC_BITS - 1) : '0;
+
   // Floor: an arithmetic shift drops the fraction. No value changes by the size casts, the integer parts fit.
   logic signed [ENTRY_BITS-1:0] u, v;
   logic signed [CODE_BITS-1:0]  code;
   assign u    = ENTRY_BITS'(u_i >>> UV_FRAC_BITS);
   assign v    = ENTRY_BITS'(v_i >>> UV_FRAC_BITS);
-  assign code = CODE_BITS'(d_i >>> D_FRAC_BITS);
+  assign code = CODE_BITS'((d_i + FAULT) >>> D_FRAC_BITS);
 
   // 0 <= u, v < 2^PLANE_LOG2: no bit set above, the sign among them.
   assign off_plane_o = u[ENTRY_BITS-1:PLANE_LOG2] != '0 || v[ENTRY_BITS-1:PLANE_LOG2] != '0;

@@ -86,9 +86,10 @@ module vpu_margin #(
   logic [RHS-1:0]   rhs4_q;  // 57 bits
 
   // ---- Stage 5: encode ----
-  logic                      shadow;
+  logic                      above, shadow;
   gnomon_pkg::voxel_result_t final_result, result5_q;
-  assign shadow = result4_q.facing_away || result4_q.beyond_max || RHS'(lhs4_q) > rhs4_q;
+  assign above  = RHS'(lhs4_q) > rhs4_q || (mutations_pkg::MARGIN_OR_EQUAL && RHS'(lhs4_q) == rhs4_q);
+  assign shadow = result4_q.facing_away || result4_q.beyond_max || above;
   always_comb begin
     final_result       = result4_q;
     final_result.code  = gnomon_pkg::RESULT_VOXEL_STATE;

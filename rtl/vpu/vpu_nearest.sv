@@ -9,7 +9,8 @@ module vpu_nearest (
   output logic [gnomon_pkg::DEPTH_FIELD_BITS-1:0] depth_o
 );
 
-  assign write_o = !entry_i.present || depth_i < entry_i.depth;
+  assign write_o = !entry_i.present || depth_i < entry_i.depth ||
+                   (mutations_pkg::TIES_REPLACE && depth_i == entry_i.depth);
   assign depth_o = depth_i;
 
 endmodule
