@@ -67,13 +67,19 @@ std::int64_t gradient_shift(const RegisterValues& values, Register first, const 
 void set_offset_and_margin(RegisterValues& values, const HardwareConfig& config, Random& random) {
   const int ulps = config.voxel_frac_bits + 16 - config.normal_bits;  // one voxel along a unit normal
   at(values, Register::OffsetFactor) = (std::int64_t{1} << std::max(0, ulps)) * random.between(2, 9) / 4;
+  if (random.chance(20)) {  // far enough to leave what was projected
+    at(values, Register::OffsetFactor) = random.between(0, register_max(Register::OffsetFactor, config));
+  }
   at(values, Register::FacingShift) = gradient_shift(values, Register::MatrixDx, config);
   at(values, Register::TiltShift) = gradient_shift(values, Register::MatrixUx, config);
-  at(values, Register::DeltaShift) = random.between(0, std::max(0, config.depth_bits - 8));
-  at(values, Register::MarginSquared) =
-      random.between(0, register_max(Register::MarginSquared, config)) >> random.between(0, 24);
+  const std::int64_t delta_shift = random.between(0, std::max(0, config.depth_bits - 8));
+  at(values, Register::DeltaShift) = delta_shift;
+  // Squares of the deltas that the shift leaves, at most: larger margins would excuse everything.
+  const std::int64_t margin_bits =
+      random.between(0, std::min<std::int64_t>(24, 2 * (config.depth_bits - delta_shift)));
+  at(values, Register::MarginSquared) = random.between(0, (std::int64_t{1} << margin_bits) - 1);
   at(values, Register::DeltaMax) =
-      register_max(Register::DeltaMax, config) >> random.between(0, config.depth_bits);
+      register_max(Register::DeltaMax, config) >> random.between(0, config.depth_bits / 2);
   if (random.chance(10)) at(values, Register::DeltaMax) = at(values, Register::MarginSquared) = 0;
   for (const Register reg : {Register::OffsetFactor, Register::FacingShift, Register::TiltShift}) {
     clamp_register(values, reg, config);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The silhouette-line buffer unit as a whole: objects in, answers out (docs/slb.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <gnomon/golden/slb/chain_builder.hpp>
+#include <gnomon/golden/slb/fragment_store.hpp>
+#include <gnomon/golden/slb/query.hpp>
+#include <gnomon/golden/slb/winding.hpp>
+
+namespace gnomon::golden::slb {
+
+/// Event counters; the same on every engine (docs/slb.md, "Counters").
+struct SlbCounters {
+  std::uint64_t objects = 0;
+  std::uint64_t loops = 0;              ///< closed, of any kind
+  std::uint64_t loops_short = 0;        ///< fewer than three vertices: ignored
+  std::uint64_t loops_tiny = 0;         ///< inside one pixel: cast nothing
+  std::uint64_t tiny_area2 = 0;         ///< twice their area, square sub-pixels
+  std::uint64_t vertices = 0;           ///< items taken
+  std::uint64_t vertices_repeated = 0;
+  std::uint64_t crossings = 0;          ///< pixel borders crossed, on the plane or off it
+  std::uint64_t chains = 0;             ///< handed to the store
+  std::uint64_t chains_off_plane = 0;
+  std::uint64_t chains_dropped = 0;
+  std::uint64_t chains_reduced = 0;
+  std::uint64_t groups_evicted = 0;
+  std::uint64_t winding_saturated = 0;
+  std::uint64_t fill_pixels = 0;        ///< of the rows swept
+  std::uint64_t fill_groups = 0;        ///< pixels with lines among them
+  std::uint64_t fill_covered = 0;       ///< pixels that the object wholly covers
+  std::uint64_t covers = 0;             ///< items of COVER
+  std::uint64_t covers_used = 0;        ///< those that count as a full cover
+  std::uint64_t queries = 0;
+  std::uint64_t queries_shadow = 0;
+  std::uint64_t queries_off_plane = 0;
+  std::uint64_t queries_overflow = 0;   ///< answered by an entry where something did not fit
+  bool operator==(const SlbCounters&) const = default;
+};
+
+/// Sticky flags of the unit, in the order of docs/slb.md.
+struct SlbSticky {
+  bool line_overflow = false;
+  bool object_overflow = false;
+  bool winding_saturated = false;
+  bool operator==(const SlbSticky&) const = default;
+};
+
+/// A silhouette sample for COVER: plane pixel, depth, and whether its surface faces the light.
+struct CoverSample {
+  std::int64_t column = 0, row = 0;
+  std::uint32_t depth = 0;
+  bool facing = true;
+};
+
+/// Calls out of order (a loop without an object, a query inside one) throw std::logic_error.
+class SlbModel {
+ public:
+  /// `config` must pass check(); throws std::invalid_argument otherwise.
+  explicit SlbModel(const SlbConfig& config);
+  SlbModel(const SlbModel&) = delete;
+  SlbModel& operator=(const SlbModel&) = delete;
+
+  const SlbConfig& config() const { return config_; }
+  /// As after power-up.
+  void reset();
+  /// Empties the plane. Not inside an object.
+  void clear();
+
+  /// A flat caster has `depth` everywhere; otherwise each vertex brings its own.
+  void begin_object(std::uint8_t object, bool flat, std::uint32_t depth);
+  void vertex(const Vertex& vertex);
+  void close_loop();
+  /// A whole loop.
+  void loop(std::span<const Vertex> vertices);
+  /// After all loops of the object, once.
+  void fill();
+  /// After fill: a sample of the object's surface. `margin` in depth codes.
+  void cover(const CoverSample& sample, std::uint32_t margin);
+  void end_object();
+
+  QueryAnswer query(const QueryPoint& point, std::uint32_t bias);
+
+  enum class State : std::uint8_t { Idle, Object, Loop, Filled };
+  State state() const { return state_; }
+  /// The object open now has had a loop since its last fill.
+  bool has_loops() const { return has_loops_; }
+
+  Entry entry(int column, int row) const { return store_.read(column, row); }
+  const SlbCounters& counters() const { return counters_; }
+  const SlbSticky& sticky() const { return sticky_; }
+  void clear_sticky() { sticky_ = SlbSticky{}; }
+
+ private:
+  bool on_plane(std::int64_t column, std::int64_t row) const;
+  void require(bool condition, const char* what) const;
+  void put(Chain chain);
+  void cross_row(std::int64_t column, std::int64_t row, bool upwards);
+
+  SlbConfig config_;
+  FragmentStore store_;
+  Winding winding_;
+  ChainBuilder builder_;
+  State state_ = State::Idle;
+  bool has_loops_ = false, flat_ = false;
+  std::uint8_t object_ = 0;
+  std::uint32_t depth_ = 0;
+  SlbCounters counters_;
+  SlbSticky sticky_;
+};
+
+}  // namespace gnomon::golden::slb

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wires walker, store, winding and query together, and counts.
+#include <gnomon/golden/slb/model.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace gnomon::golden::slb {
+
+SlbModel::SlbModel(const SlbConfig& config)
+    : config_([&] {
+        if (const auto error = config.check()) throw std::invalid_argument(*error);
+        return config;
+      }()),
+      store_(config_),
+      winding_(config_),
+      builder_(
+          config_, [this](const Chain& chain) { put(chain); },
+          [this](std::int64_t column, std::int64_t row, bool upwards) { cross_row(column, row, upwards); }) {}
+
+void SlbModel::reset() {
+  store_.reset();
+  winding_.reset();
+  if (state_ == State::Loop) builder_.forget();
+  state_ = State::Idle;
+  has_loops_ = false;
+  counters_ = SlbCounters{};
+  sticky_ = SlbSticky{};
+}
+
+void SlbModel::require(bool condition, const char* what) const {
+  if (!condition) throw std::logic_error(std::string("out of order: ") + what);
+}
+
+bool SlbModel::on_plane(std::int64_t column, std::int64_t row) const {
+  return column >= 0 && column < config_.side() && row >= 0 && row < config_.side();
+}
+
+void SlbModel::clear() {
+  require(state_ == State::Idle, "clear inside an object");
+  store_.clear();
+}
+
+void SlbModel::begin_object(std::uint8_t object, bool flat, std::uint32_t depth) {
+  require(state_ == State::Idle, "an object inside an object");
+  state_ = State::Object;
+  has_loops_ = false;
+  object_ = object;
+  flat_ = flat;
+  depth_ = depth;
+  winding_.begin();
+  ++counters_.objects;
+}
+
+void SlbModel::vertex(const Vertex& vertex) {
+  require(state_ == State::Object || state_ == State::Loop, "a vertex outside an object's loops");
+  state_ = State::Loop;
+  has_loops_ = true;
+  ++counters_.vertices;
+  builder_.vertex(flat_ ? Vertex{vertex.x, vertex.y, depth_} : vertex);
+}
+
+void SlbModel::close_loop() {
+  require(state_ == State::Object || state_ == State::Loop, "the end of a loop that was not begun");
+  state_ = State::Object;
+  has_loops_ = true;
+  const LoopSummary summary = builder_.close();
+  ++counters_.loops;
+  counters_.loops_short += summary.too_short ? 1 : 0;
+  counters_.loops_tiny += summary.tiny ? 1 : 0;
+  counters_.tiny_area2 += summary.tiny_area2;
+  counters_.vertices_repeated += summary.repeated;
+  counters_.crossings += summary.crossings;
+}
+
+void SlbModel::loop(std::span<const Vertex> vertices) {
+  for (const Vertex& v : vertices) vertex(v);
+  close_loop();
+}
+
+void SlbModel::put(Chain chain) {
+  if (!on_plane(chain.column, chain.row)) {
+    ++counters_.chains_off_plane;
+    return;
+  }
+  ++counters_.chains;
+  const bool before = winding_.mark_lines(static_cast<int>(chain.column), static_cast<int>(chain.row));
+  const FragmentStore::Insertion done = store_.insert(chain, object_, !before);
+  counters_.chains_dropped += done.dropped ? 1 : 0;
+  counters_.chains_reduced += done.reduced ? 1 : 0;
+  counters_.groups_evicted += done.evicted ? 1 : 0;
+  sticky_.line_overflow = sticky_.line_overflow || done.dropped || done.reduced;
+  sticky_.object_overflow = sticky_.object_overflow || done.evicted;
+}
+
+void SlbModel::cross_row(std::int64_t column, std::int64_t row, bool upwards) {
+  if (winding_.crossing(column, row, upwards)) return;
+  ++counters_.winding_saturated;
+  sticky_.winding_saturated = true;
+}
+
+void SlbModel::fill() {
+  require(state_ == State::Object, "a fill outside an object or after its fill");
+  state_ = State::Filled;
+  for (int row = winding_.first_row(); row <= winding_.last_row(); ++row) {
+    const Winding::Row swept = winding_.take_row(row);
+    for (int column = 0; column < config_.side(); ++column) {
+      const auto i = static_cast<std::size_t>(column);
+      ++counters_.fill_pixels;
+      Winding::Result result{swept.winding[i] >= 1, false};
+      if (swept.lines[i]) {
+        ++counters_.fill_groups;
+        const FragmentStore::Finish done = store_.finish(column, row, swept.winding[i], !flat_);
+        result = {done.covered, done.rim};
+      }
+      winding_.set_result(column, row, result);
+      if (!result.covered) continue;
+      ++counters_.fill_covered;
+      if (flat_) store_.lower_full_depth(column, row, depth_);
+    }
+  }
+}
+
+void SlbModel::cover(const CoverSample& sample, std::uint32_t margin) {
+  require(state_ == State::Filled, "a cover sample before the object's fill");
+  ++counters_.covers;
+  if (!on_plane(sample.column, sample.row)) return;
+  const int column = static_cast<int>(sample.column), row = static_cast<int>(sample.row);
+  const Winding::Result pixel = winding_.result(column, row);
+  const bool behind_rim =
+      pixel.rim && sample.facing && store_.behind_last_group(column, row, sample.depth, margin);
+  if (!pixel.covered && !behind_rim) return;
+  ++counters_.covers_used;
+  store_.lower_full_depth(column, row, sample.depth);
+}
+
+void SlbModel::end_object() {
+  require(state_ == State::Filled || (state_ == State::Object && !has_loops_), "the end of an object without its fill");
+  state_ = State::Idle;
+}
+
+QueryAnswer SlbModel::query(const QueryPoint& point, std::uint32_t bias) {
+  require(state_ == State::Idle, "a query inside an object");
+  ++counters_.queries;
+  const int q = config_.query_bits;
+  const std::int64_t column = point.x >> q, row = point.y >> q;
+  QueryAnswer result;
+  if (!on_plane(column, row)) {
+    ++counters_.queries_off_plane;
+    result.off_plane = true;
+    return result;
+  }
+  const std::int64_t mask = (std::int64_t{1} << q) - 1;
+  const PixelPoint inside{2 * (point.x & mask) + 1, 2 * (point.y & mask) + 1, q + 1};
+  result = answer(store_.read(static_cast<int>(column), static_cast<int>(row)), inside, point.depth, bias, config_);
+  counters_.queries_shadow += result.shadow ? 1 : 0;
+  counters_.queries_overflow += result.overflow ? 1 : 0;
+  return result;
+}
+
+}  // namespace gnomon::golden::slb

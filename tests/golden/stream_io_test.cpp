@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <gnomon/golden/stream_io.hpp>
+#include <iterator>
+#include <string>
+
+#include "tests/support/covering.hpp"
+
+namespace gnomon::golden {
+namespace {
+
+class StreamIo : public ::testing::Test {
+ protected:
+  StreamIo() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("gnomon_stream_io_" + std::string(test->name()) + "_" +
+               std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
+               std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+    std::filesystem::create_directories(folder_);
+    path_ = folder_ / "a.stream";
+  }
+  ~StreamIo() override { std::filesystem::remove_all(folder_); }
+
+  std::string bytes() const {
+    std::ifstream file(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void write(const std::string& bytes) const { std::ofstream(path_, std::ios::binary) << bytes; }
+  /// What load says after the path, or "loaded".
+  std::string failure() const {
+    const auto result = load_stream(path_);
+    if (!std::holds_alternative<std::string>(result)) return "loaded";
+    const std::string& text = std::get<std::string>(result);
+    EXPECT_EQ(text.rfind(path_.string() + ": ", 0), 0u) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+    return text.substr(path_.string().size() + 2);
+  }
+
+  std::filesystem::path folder_, path_;
+};
+
+TEST_F(StreamIo, RoundTripsEveryBuild) {
+  for (const HardwareConfig& config : stimulus::covering_array()) {
+    const std::vector<Word> words{0, ~Word{0}, 0x0123456789ABCDEF};
+    ASSERT_EQ(save_stream(path_, config, words), std::nullopt);
+    const auto result = load_stream(path_);
+    ASSERT_TRUE(std::holds_alternative<StreamFile>(result)) << std::get<std::string>(result);
+    EXPECT_EQ(std::get<StreamFile>(result).config, config);
+    EXPECT_EQ(std::get<StreamFile>(result).words, words);
+  }
+}
+
+TEST_F(StreamIo, LongAndEmptyStreams) {
+  for (const std::size_t count : {0u, 200000u}) {
+    std::vector<Word> words(count);
+    for (std::size_t i = 0; i < count; ++i) words[i] = i * 0x9E3779B97F4A7C15;
+    ASSERT_EQ(save_stream(path_, {}, words), std::nullopt);
+    const auto result = load_stream(path_);
+    ASSERT_TRUE(std::holds_alternative<StreamFile>(result));
+    EXPECT_EQ(std::get<StreamFile>(result).words, words);
+  }
+}
+
+TEST_F(StreamIo, BytesAreAsDescribed) {
+  ASSERT_EQ(save_stream(path_, {}, std::vector<Word>{0x1122334455667788}), std::nullopt);
+  const auto le32 = [](char value) { return std::string{value, 0, 0, 0}; };
+  EXPECT_EQ(bytes(), "GNOMON\x1A\n" + le32(1) + le32(8) + le32(2) + le32(9) + le32(22) + le32(20) + le32(9) +
+                         le32(1) + le32(1) + le32(0) + "\x88\x77\x66\x55\x44\x33\x22\x11");
+}
+
+TEST_F(StreamIo, EachDamageHasItsMessage) {
+  ASSERT_EQ(save_stream(path_, {}, std::vector<Word>{1, 2}), std::nullopt);
+  const std::string good = bytes();
+  ASSERT_EQ(failure(), "loaded");
+  const auto damaged = [&](std::size_t at, char value) {
+    std::string bad = good;
+    bad[at] = value;
+    write(bad);
+    return failure();
+  };
+  EXPECT_EQ(damaged(0, 'X'), "is not a Gnomon stream file");
+  EXPECT_EQ(damaged(8, 2), "has version 2; this program reads version 1");
+  EXPECT_EQ(damaged(12, 3), "names illegal hardware: VOXEL_BITS=3 is out of range 4..11");
+  EXPECT_EQ(damaged(15, '\xFF'), "names illegal hardware: VOXEL_BITS=2147483647 is out of range 4..11");
+  EXPECT_EQ(damaged(40, 3), "promises 3 words, but 16 bytes follow the header");
+  write(good.substr(0, good.size() - 1));
+  EXPECT_EQ(failure(), "promises 2 words, but 15 bytes follow the header");
+  write(good + "x");
+  EXPECT_EQ(failure(), "promises 2 words, but 17 bytes follow the header");
+  write(good.substr(0, 20));
+  EXPECT_EQ(failure(), "ends after 20 bytes; the header alone has 48");
+  write("");
+  EXPECT_EQ(failure(), "is not a Gnomon stream file");
+}
+
+TEST_F(StreamIo, FilesThatCannotBeReadOrWritten) {
+  EXPECT_EQ(failure(), "cannot open the stream file: No such file or directory");
+  std::filesystem::create_directory(path_);
+  EXPECT_EQ(failure(), "is a directory, not a stream file");
+  EXPECT_EQ(save_stream(path_, {}, {}), path_.string() + ": cannot create the stream file: Is a directory");
+  EXPECT_EQ(save_stream(folder_ / "none" / "a", {}, {}),
+            (folder_ / "none" / "a").string() + ": cannot create the stream file: No such file or directory");
+  EXPECT_EQ(save_stream(folder_ / "b", {.depth_bits = 7}, {}),
+            (folder_ / "b").string() + ": not written: DEPTH_BITS=7 is out of range 8..24");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "b"));
+}
+
+TEST_F(StreamIo, AFullDiskIsReported) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  EXPECT_EQ(save_stream("/dev/full", {}, std::vector<Word>(100000)),
+            "/dev/full: cannot write the stream file: No space left on device");
+}
+
+}  // namespace
+}  // namespace gnomon::golden
