@@ -5,21 +5,25 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace gnomon::voxel {
 namespace {
 
-// Blocks whose bound on the derivatives was an estimate (pieces that Bfr answers for) may need a finer
-// lattice.
+// Cells that need more than the lattice has (N = 18 near voxel corners; where the bound on the derivatives
+// was an estimate) get small lattices of their own, log2 of its cells a side.
+constexpr int kSmallLattice = 2;
+
+// N = 6 needs all points of a block together: there the whole lattice is made finer, up to this size.
 constexpr int kLargestGrowth = 18;
 
-std::array<std::uint32_t, 4> snap_lanes(const surface::Lane4& p, double res) {
+inline std::array<std::uint32_t, 4> snap_lanes(const surface::Lane4& p, double res) {
   std::array<std::uint32_t, 4> out;
   for (std::size_t k = 0; k < 4; ++k) out[k] = snap(p.x[k], res);
   return out;
 }
 
-VoxelKey voxel_of(const std::array<std::uint32_t, 4>& fixed) {
+inline VoxelKey voxel_of(const std::array<std::uint32_t, 4>& fixed) {
   return pack(fixed[0] >> kFractionBits, fixed[1] >> kFractionBits, fixed[2] >> kFractionBits);
 }
 
@@ -33,35 +37,50 @@ Vec3 vec(const surface::Lane4& p) {
 }  // namespace
 
 void BlockWorker::run(const Block& block, BlockOutput& out) {
-  Block b = block;
-  out.area += b.area();
-  if (try_run(b)) {
-    collect(out);
-    return;
+  run_cell(block, out);
+  out.area += block.area();
+}
+
+void BlockWorker::run_cell(Block block, BlockOutput& out) {
+  run_lattice(block);
+  while (grow_u_ || grow_v_) {
+    if (block.cells_u + block.cells_v >= kLargestGrowth) return run_children(block, out);
+    block.cells_u += grow_u_ ? 1 : 0;
+    block.cells_v += grow_v_ ? 1 : 0;
+    run_lattice(block);
   }
-  // Too large to grow: one step of the recursion by hand.
-  const Corners corners{keys_[lattice(0, 0)], keys_[lattice(width_, 0)], keys_[lattice(width_, height_)],
-                        keys_[lattice(0, height_)]};
-  out.area -= b.area();
-  for (const Cell& c : b.cell.children(rules_.split(corners, b.cell.log_u >= b.cell.log_v))) {
-    run({b.object, b.face, c, std::max(b.cells_u - 1, 0), std::max(b.cells_v - 1, 0)}, out);
+  collect(out);
+  const auto coarse = std::exchange(coarse_, {});
+  for (const Cell& c : coarse) {
+    run_cell({block.object, block.face, c, std::min(kSmallLattice, c.log_u - rules_.smallest_log),
+              std::min(kSmallLattice, c.log_v - rules_.smallest_log)},
+             out);
   }
 }
 
-bool BlockWorker::try_run(Block& block) {
-  while (true) {
-    start(block);
-    const Box whole{0, 0, width_, height_};
-    const Corners corners{at(0, 0), at(width_, 0), at(width_, height_), at(0, height_)};
-    if (rules_.adjacency == Adjacency::N18) {
-      recurse<Adjacency::N18>(whole, corners);
-    } else {
-      recurse<Adjacency::N26>(whole, corners);
-    }
-    if (!grow_u_ && !grow_v_) return true;
-    if (block.cells_u + block.cells_v >= kLargestGrowth) return false;
-    block.cells_u += grow_u_ ? 1 : 0;
-    block.cells_v += grow_v_ ? 1 : 0;
+// One step of the recursion by hand.
+void BlockWorker::run_children(const Block& block, BlockOutput& out) {
+  const Corners corners{keys_[lattice(0, 0)], keys_[lattice(width_, 0)], keys_[lattice(width_, height_)],
+                        keys_[lattice(0, height_)]};
+  for (const Cell& c : block.cell.children(rules_.split(corners, block.cell.log_u >= block.cell.log_v))) {
+    run_cell({block.object, block.face, c, std::min(block.cells_u, c.log_u - rules_.smallest_log) - 1,
+              std::min(block.cells_v, c.log_v - rules_.smallest_log) - 1},
+             out);
+  }
+}
+
+void BlockWorker::run_lattice(const Block& block) {
+  start(block);
+  switch (rules_.adjacency) {
+    case Adjacency::N6:
+      recurse_all<Adjacency::N6>();
+      break;
+    case Adjacency::N18:
+      recurse_all<Adjacency::N18>();
+      break;
+    case Adjacency::N26:
+      recurse_all<Adjacency::N26>();
+      break;
   }
 }
 
@@ -83,6 +102,7 @@ void BlockWorker::start(const Block& block) {
   }
   if (rules_.adjacency == Adjacency::N6 && points_.size() < stride_ * rows) points_.resize(stride_ * rows);
   leaves_.clear();
+  coarse_.clear();
   grow_u_ = grow_v_ = false;
   evaluations_ = leaf_count_ = floor_hits_ = zero_normals_ = 0;
 
@@ -103,7 +123,7 @@ void BlockWorker::start(const Block& block) {
   own_v1_ = parameter(c.v1()) == region.v0 + region.size ? height_ - 1 : height_;
 }
 
-const std::array<surface::Lane4, 4>& BlockWorker::row(int j) {
+const BlockWorker::Row& BlockWorker::row(int j) {
   const auto r = static_cast<std::size_t>(j);
   if (row_ready_[r] == 0) {
     row_ready_[r] = 1;
@@ -112,36 +132,44 @@ const std::array<surface::Lane4, 4>& BlockWorker::row(int j) {
   return rows_[r];
 }
 
-VoxelKey BlockWorker::keep(std::size_t index, const std::array<std::uint32_t, 4>& fixed) {
-  if (rules_.adjacency == Adjacency::N6) points_[index] = {fixed[0], fixed[1], fixed[2]};
+template <Adjacency kAdjacency>
+inline VoxelKey BlockWorker::keep(std::size_t index, const std::array<std::uint32_t, 4>& fixed) {
+  if constexpr (kAdjacency == Adjacency::N6) points_[index] = {fixed[0], fixed[1], fixed[2]};
   return keys_[index] = voxel_of(fixed);
 }
 
-VoxelKey BlockWorker::border_voxel(int i, int j) {
+template <Adjacency kAdjacency>
+[[gnu::noinline]] VoxelKey BlockWorker::foreign_voxel(int i, int j) {
   const std::uint32_t u = u_at(i);
   const std::uint32_t v = v_at(j);
   const bool on_border = u == 0 || v == 0 || u == kParameterOne || v == kParameterOne;
-  if (on_border && rules_.adjacency != Adjacency::N6) {
+  if (on_border && kAdjacency != Adjacency::N6) {
     const auto answer = borders_[block_.object].voxel(block_.face, parameter(u), parameter(v), rules_.res);
     evaluations_ += answer.fresh ? 1 : 0;
     return keys_[lattice(i, j)] = answer.key;
   }
   ++evaluations_;
-  return keep(lattice(i, j),
-              snap_lanes(lanes(surface_->position(block_.face, parameter(u), parameter(v))), rules_.res));
+  return keep<kAdjacency>(
+      lattice(i, j),
+      snap_lanes(lanes(surface_->position(block_.face, parameter(u), parameter(v))), rules_.res));
 }
 
-VoxelKey BlockWorker::evaluate(int i, int j) {
-  visited_[static_cast<std::size_t>(j) * words_ + static_cast<std::size_t>(i >> 6)] |= std::uint64_t{1}
-                                                                                       << (i & 63);
-  if (patch_ == nullptr || i < own_u0_ || i > own_u1_ || j < own_v0_ || j > own_v1_)
-    return border_voxel(i, j);
-  ++evaluations_;
-  return keep(lattice(i, j), snap_lanes(surface::cubic(row(j), u_origin_ + u_step_ * i), rules_.res));
-}
-
+template <Adjacency kAdjacency>
 inline VoxelKey BlockWorker::at(int i, int j) {
-  return visited(i, j) ? keys_[lattice(i, j)] : evaluate(i, j);
+  const std::size_t index = lattice(i, j);
+  std::uint64_t& word = visited_[static_cast<std::size_t>(j) * words_ + static_cast<std::size_t>(i >> 6)];
+  const std::uint64_t bit = std::uint64_t{1} << (i & 63);
+  if ((word & bit) != 0) return keys_[index];
+  word |= bit;
+  if (!own(i, j)) return foreign_voxel<kAdjacency>(i, j);
+  ++evaluations_;
+  return keep<kAdjacency>(index, snap_lanes(surface::cubic(row(j), u_origin_ + u_step_ * i), rules_.res));
+}
+
+template <Adjacency kAdjacency>
+void BlockWorker::recurse_all() {
+  recurse<kAdjacency>({0, 0, width_, height_}, {at<kAdjacency>(0, 0), at<kAdjacency>(width_, 0),
+                                                at<kAdjacency>(width_, height_), at<kAdjacency>(0, height_)});
 }
 
 template <Adjacency kAdjacency>
@@ -149,46 +177,44 @@ void BlockWorker::recurse(Box b, const Corners& c) {
   const int log_u = block_.cell.log_u - block_.cells_u + std::countr_zero(static_cast<unsigned>(b.i1 - b.i0));
   const int log_v = block_.cell.log_v - block_.cells_v + std::countr_zero(static_cast<unsigned>(b.j1 - b.j0));
   Split split = criterion<kAdjacency>(c, log_u >= log_v);
-  if (split.none()) {
-    ++leaf_count_;
-    if (wanted_.leaves || rules_.adjacency == Adjacency::N6) leaves_.push_back(b);
-    return;
-  }
+  if (split.none()) return keep_leaf(b);
   split.u = split.u && log_u > rules_.smallest_log;
   split.v = split.v && log_v > rules_.smallest_log;
   if (split.none()) {
-    ++leaf_count_;
     ++floor_hits_;
-    if (wanted_.leaves || rules_.adjacency == Adjacency::N6) leaves_.push_back(b);
-    return;
+    return keep_leaf(b);
   }
   const bool coarse_u = split.u && b.i1 - b.i0 == 1;
   const bool coarse_v = split.v && b.j1 - b.j0 == 1;
   if (coarse_u || coarse_v) {
-    grow_u_ = grow_u_ || coarse_u;
-    grow_v_ = grow_v_ || coarse_v;
+    if constexpr (kAdjacency == Adjacency::N6) {
+      grow_u_ = grow_u_ || coarse_u;
+      grow_v_ = grow_v_ || coarse_v;
+    } else {
+      coarse_.push_back({u_at(b.i0), v_at(b.j0), log_u, log_v});
+    }
     return;
   }
   const int im = (b.i0 + b.i1) / 2;
   const int jm = (b.j0 + b.j1) / 2;
   if (split.u && split.v) {
-    const VoxelKey south = at(im, b.j0);
-    const VoxelKey west = at(b.i0, jm);
-    const VoxelKey centre = at(im, jm);
-    const VoxelKey east = at(b.i1, jm);
-    const VoxelKey north = at(im, b.j1);
+    const VoxelKey south = at<kAdjacency>(im, b.j0);
+    const VoxelKey west = at<kAdjacency>(b.i0, jm);
+    const VoxelKey centre = at<kAdjacency>(im, jm);
+    const VoxelKey east = at<kAdjacency>(b.i1, jm);
+    const VoxelKey north = at<kAdjacency>(im, b.j1);
     recurse<kAdjacency>({b.i0, b.j0, im, jm}, {c[0], south, centre, west});
     recurse<kAdjacency>({im, b.j0, b.i1, jm}, {south, c[1], east, centre});
     recurse<kAdjacency>({b.i0, jm, im, b.j1}, {west, centre, north, c[3]});
     recurse<kAdjacency>({im, jm, b.i1, b.j1}, {centre, east, c[2], north});
   } else if (split.u) {
-    const VoxelKey south = at(im, b.j0);
-    const VoxelKey north = at(im, b.j1);
+    const VoxelKey south = at<kAdjacency>(im, b.j0);
+    const VoxelKey north = at<kAdjacency>(im, b.j1);
     recurse<kAdjacency>({b.i0, b.j0, im, b.j1}, {c[0], south, north, c[3]});
     recurse<kAdjacency>({im, b.j0, b.i1, b.j1}, {south, c[1], c[2], north});
   } else {
-    const VoxelKey west = at(b.i0, jm);
-    const VoxelKey east = at(b.i1, jm);
+    const VoxelKey west = at<kAdjacency>(b.i0, jm);
+    const VoxelKey east = at<kAdjacency>(b.i1, jm);
     recurse<kAdjacency>({b.i0, b.j0, b.i1, jm}, {c[0], c[1], east, west});
     recurse<kAdjacency>({b.i0, jm, b.i1, b.j1}, {west, east, c[2], c[3]});
   }
@@ -271,10 +297,9 @@ Voxel BlockWorker::representative(int i, int j) {
   v.face = block_.face;
   v.u = static_cast<float>(parameter(u_at(i)));
   v.v = static_cast<float>(parameter(v_at(j)));
-  const bool own = patch_ != nullptr && i >= own_u0_ && i <= own_u1_ && j >= own_v0_ && j <= own_v1_;
   const auto fixed =
-      snap_lanes(own ? surface::cubic(row(j), u_origin_ + u_step_ * i)
-                     : lanes(surface_->position(block_.face, parameter(u_at(i)), parameter(v_at(j)))),
+      snap_lanes(own(i, j) ? surface::cubic(row(j), u_origin_ + u_step_ * i)
+                           : lanes(surface_->position(block_.face, parameter(u_at(i)), parameter(v_at(j)))),
                  rules_.res);
   const Vec3 n = unit_normal(i, j);
   for (int k = 0; k < 3; ++k) {

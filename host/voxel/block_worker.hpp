@@ -47,20 +47,37 @@ class BlockWorker {
   void run(const Block& block, BlockOutput& out);
 
  private:
+  using Row = std::array<surface::Lane4, 4>;
+
   // A lattice cell, as its low and high corner; leaves are kept like this until the block is done.
   struct Box {
     int i0, j0, i1, j1;
   };
 
-  bool try_run(Block& block);
+  void run_cell(Block block, BlockOutput& out);
+  void run_children(const Block& block, BlockOutput& out);
+  void run_lattice(const Block& block);
   void start(const Block& block);
+
+  template <Adjacency kAdjacency>
+  void recurse_all();
   template <Adjacency kAdjacency>
   void recurse(Box box, const Corners& corners);
+  void keep_leaf(const Box& box) {
+    ++leaf_count_;
+    if (wanted_.leaves || rules_.adjacency == Adjacency::N6) leaves_.push_back(box);
+  }
+
+  template <Adjacency kAdjacency>
   VoxelKey at(int i, int j);
-  VoxelKey evaluate(int i, int j);
-  VoxelKey border_voxel(int i, int j);
+  template <Adjacency kAdjacency>
+  VoxelKey foreign_voxel(int i, int j);
+  template <Adjacency kAdjacency>
   VoxelKey keep(std::size_t index, const std::array<std::uint32_t, 4>& fixed);
-  const std::array<surface::Lane4, 4>& row(int j);
+  const Row& row(int j);
+  bool own(int i, int j) const {
+    return patch_ != nullptr && i >= own_u0_ && i <= own_u1_ && j >= own_v0_ && j <= own_v1_;
+  }
 
   void collect(BlockOutput& out);
   Voxel representative(int i, int j);
@@ -107,9 +124,10 @@ class BlockWorker {
   std::vector<VoxelKey> keys_;
   std::vector<std::uint64_t> visited_;
   std::vector<GridPoint> points_;  // N = 6
-  std::vector<std::array<surface::Lane4, 4>> rows_, slopes_;
+  std::vector<Row> rows_, slopes_;
   std::vector<std::uint8_t> row_ready_, slope_ready_;
   std::vector<Box> leaves_;
+  std::vector<Cell> coarse_;  // cells to be run on their own
   std::vector<VoxelKey> recent_;
 };
 
