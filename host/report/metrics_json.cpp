@@ -259,6 +259,7 @@ Json run_time_json(const RunRecord& record, const Json& cycles) {
   double wall = 0;
   for (const StageTime& stage : record.stages) wall += stage.wall_seconds;
   time["host_seconds"] = wall;
+  time["host_peak_memory_bytes"] = record.peak_memory_bytes;
   return time;
 }
 

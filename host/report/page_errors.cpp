@@ -14,17 +14,17 @@ namespace {
 
 /// One method's line of "error against run time".
 Json error_row(const Json& errors, const char* name, const char* note) {
-  const Json& all = errors["all"];
-  const Json& unambiguous = errors["unambiguous"];
+  const Json& all = errors.at("all");
+  const Json& unambiguous = errors.at("unambiguous");
   return {{"name", name},
           {"note", note},
-          {"all", count(all["mislabelled"])},
-          {"all_share", share(all["share"])},
-          {"unambiguous", count(unambiguous["mislabelled"])},
-          {"unambiguous_share", share(unambiguous["share"])},
-          {"false_shadow", count(all["false_shadow"])},
-          {"false_lit", count(all["false_lit"])},
-          {"boundary", number(errors["boundary_displacement"], 4)}};
+          {"all", count(all.at("mislabelled"))},
+          {"all_share", share(all.at("share"))},
+          {"unambiguous", count(unambiguous.at("mislabelled"))},
+          {"unambiguous_share", share(unambiguous.at("share"))},
+          {"false_shadow", count(all.at("false_shadow"))},
+          {"false_lit", count(all.at("false_lit"))},
+          {"boundary", number(errors.at("boundary_displacement"), 4)}};
 }
 
 Json exact_row() {
@@ -42,45 +42,46 @@ Json exact_row() {
 }
 
 Json receiver_row(const Json& m, const char* method, const char* key, const char* receiver) {
-  const Json& part = m["errors"][key][receiver];
+  const Json& part = m.at("errors").at(key).at(receiver);
   return {{"method", method},
           {"receiver", receiver},
-          {"samples", count(part["all"]["samples"])},
-          {"all", share(part["all"]["share"])},
-          {"unambiguous", share(part["unambiguous"]["share"])},
-          {"surface", share(part["samples"]["share"])},
-          {"boundary", number(part["boundary_displacement"], 4)}};
+          {"samples", count(part.at("all").at("samples"))},
+          {"all", share(part.at("all").at("share"))},
+          {"unambiguous", share(part.at("unambiguous").at("share"))},
+          {"surface", share(part.at("samples").at("share"))},
+          {"boundary", number(part.at("boundary_displacement"), 4)}};
 }
 
 }  // namespace
 
 Json error_section(const Json& m) {
-  const Json& time = m["run_time"];
-  const bool rtl = !m["cycles"].is_null();
-  const std::string plane = bits(m["memory"]["plane_bits"].get<std::uint64_t>());
+  const Json& time = m.at("run_time");
+  const bool rtl = !m.at("cycles").is_null();
+  const std::string plane = bits(m.at("memory").at("plane_bits").get<std::uint64_t>());
 
-  Json hardware = error_row(m["errors"]["fixed"], "fixed point", "the hardware, to the bit");
-  hardware["cycles"] = rtl ? count(time["cycles"]) : "not simulated";
-  hardware["time_at_clock"] = rtl ? seconds(time["seconds_at_clock"]) : kNone;
+  Json hardware = error_row(m.at("errors").at("fixed"), "fixed point", "the hardware, to the bit");
+  hardware["cycles"] = rtl ? count(time.at("cycles")) : "not simulated";
+  hardware["time_at_clock"] = rtl ? seconds(time.at("seconds_at_clock")) : kNone;
   hardware["host"] = rtl ? wall_text(m, kRtlStage) + " rtl, " + wall_text(m, kGoldenStage) + " golden"
                          : wall_text(m, kGoldenStage) + " golden";
   hardware["memory"] = plane;
-  Json in_double = error_row(m["errors"]["double"], "double", "the same method, no rounding to speak of");
+  Json in_double =
+      error_row(m.at("errors").at("double"), "double", "the same method, no rounding to speak of");
   in_double["cycles"] = in_double["time_at_clock"] = kNone;
   in_double["host"] = wall_text(m, kDoubleStage);
-  in_double["memory"] = bits(64 * m["memory"]["plane_entries"].get<std::uint64_t>());
+  in_double["memory"] = bits(64 * m.at("memory").at("plane_entries").get<std::uint64_t>());
   Json exact = exact_row();
   exact["host"] = wall_text(m, kExactStage);
-  exact["memory"] = count(m["exact_reference"]["triangles"]) + " triangles";
+  exact["memory"] = count(m.at("exact_reference").at("triangles")) + " triangles";
 
-  const Json& q = m["errors"]["quantisation"];
+  const Json& q = m.at("errors").at("quantisation");
   Json view;
-  view["clock"] = fmt::format("{:g} MHz", time["clock_mhz"].get<double>());
+  view["clock"] = fmt::format("{:g} MHz", time.at("clock_mhz").get<double>());
   view["error_rows"] = Json::array({hardware, in_double, exact});
   view["quantisation"] = fmt::format(
       "{} voxels ({}) get another answer in fixed point than in double; {} ({}) of the unambiguous ones.",
-      count(q["differing"]), share(q["share"]), count(q["unambiguous_differing"]),
-      share(q["unambiguous_share"]));
+      count(q.at("differing")), share(q.at("share")), count(q.at("unambiguous_differing")),
+      share(q.at("unambiguous_share")));
   view["receivers"] = Json::array(
       {receiver_row(m, "fixed point", "fixed", "ground"), receiver_row(m, "fixed point", "fixed", "models"),
        receiver_row(m, "double", "double", "ground"), receiver_row(m, "double", "double", "models")});

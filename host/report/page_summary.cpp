@@ -17,22 +17,25 @@ Json tile(const char* name, std::string value, std::string note) {
 }
 
 Json verdict_view(const Json& compare) {
-  const bool compared = compare["compared"], failed = compare["failed"];
-  Json view = {{"verdict_good", compared && !failed}, {"verdict_bad", failed},
-               {"verdict_none", !compared},           {"verdict", compare["verdict"]},
-               {"difference_text", compare["text"]},  {"first", false}};
-  if (const Json& first = compare["first_difference"]; !first.is_null()) {
+  const bool compared = compare.at("compared"), failed = compare.at("failed");
+  Json view = {{"verdict_good", compared && !failed},
+               {"verdict_bad", failed},
+               {"verdict_none", !compared},
+               {"verdict", compare.at("verdict")},
+               {"difference_text", compare.at("text")},
+               {"first", false}};
+  if (const Json& first = compare.at("first_difference"); !first.is_null()) {
     const auto word = [&](const char* engine) {
-      return first[engine].is_null()
-                 ? std::string("no such word")
-                 : fmt::format("{} {}", plain(first[engine]["word"]), plain(first[engine]["fields"]));
+      return first.at(engine).is_null() ? std::string("no such word")
+                                        : fmt::format("{} {}", plain(first.at(engine).at("word")),
+                                                      plain(first.at(engine).at("fields")));
     };
     view["first"] = {
-        {"word", count(first["result_index"])},
-        {"command", first.contains("command") ? plain(first["command"]) : kNone},
-        {"command_index", first.contains("command_index") ? count(first["command_index"]) : kNone},
-        {"cycle", first.contains("cycle") ? count(first["cycle"]) : kNone},
-        {"item", first.contains("item") ? plain(first["item"]) : kNone},
+        {"word", count(first.at("result_index"))},
+        {"command", first.contains("command") ? plain(first.at("command")) : kNone},
+        {"command_index", first.contains("command_index") ? count(first.at("command_index")) : kNone},
+        {"cycle", first.contains("cycle") ? count(first.at("cycle")) : kNone},
+        {"item", first.contains("item") ? plain(first.at("item")) : kNone},
         {"expected", word("expected")},
         {"actual", word("rtl")}};
   }
@@ -40,61 +43,61 @@ Json verdict_view(const Json& compare) {
 }
 
 Json key_figures(const Json& m) {
-  const Json& fixed_errors = m["errors"]["fixed"];
-  const Json& time = m["run_time"];
+  const Json& fixed_errors = m.at("errors").at("fixed");
+  const Json& time = m.at("run_time");
   Json tiles = Json::array();
-  tiles.push_back(tile("voxels", count(m["voxels"]["count"]),
-                       fmt::format("{} of them uncertain", share(m["voxels"]["uncertain_share"]))));
-  tiles.push_back(tile("mislabelled, unambiguous", share(fixed_errors["unambiguous"]["share"]),
-                       share(fixed_errors["all"]["share"]) + " of all voxels"));
-  tiles.push_back(
-      tile("boundary displacement", number(fixed_errors["boundary_displacement"], 3), "plane entries, mean"));
-  if (!m["cycles"].is_null()) {
-    const Json& per_voxel = m["cycles"]["per_voxel"];
+  tiles.push_back(tile("voxels", count(m.at("voxels").at("count")),
+                       fmt::format("{} of them uncertain", share(m.at("voxels").at("uncertain_share")))));
+  tiles.push_back(tile("mislabelled, unambiguous", share(fixed_errors.at("unambiguous").at("share")),
+                       share(fixed_errors.at("all").at("share")) + " of all voxels"));
+  tiles.push_back(tile("boundary displacement", number(fixed_errors.at("boundary_displacement"), 3),
+                       "plane entries, mean"));
+  if (!m.at("cycles").is_null()) {
+    const Json& per_voxel = m.at("cycles").at("per_voxel");
     tiles.push_back(tile("cycles a voxel",
-                         number(per_voxel["project"], 3) + " + " + number(per_voxel["resolve"], 3),
+                         number(per_voxel.at("project"), 3) + " + " + number(per_voxel.at("resolve"), 3),
                          "project + resolve"));
-    tiles.push_back(
-        tile("hardware time", seconds(time["seconds_at_clock"]),
-             fmt::format("{} cycles at {:g} MHz", count(time["cycles"]), time["clock_mhz"].get<double>())));
+    tiles.push_back(tile(
+        "hardware time", seconds(time.at("seconds_at_clock")),
+        fmt::format("{} cycles at {:g} MHz", count(time.at("cycles")), time.at("clock_mhz").get<double>())));
   }
-  tiles.push_back(tile("plane memory", bits(m["memory"]["plane_bits"].get<std::uint64_t>()),
-                       fmt::format("{} entries × {} bit", count(m["memory"]["plane_entries"]),
-                                   m["memory"]["plane_entry_bits"].dump())));
-  tiles.push_back(
-      tile("host time", seconds(time["host_seconds"]),
-           time["simulation_mcycles_per_second"].is_null()
-               ? std::string("all stages")
-               : fmt::format("simulated at {} Mcycles/s", number(time["simulation_mcycles_per_second"], 2))));
+  tiles.push_back(tile("plane memory", bits(m.at("memory").at("plane_bits").get<std::uint64_t>()),
+                       fmt::format("{} entries × {} bit", count(m.at("memory").at("plane_entries")),
+                                   m.at("memory").at("plane_entry_bits").dump())));
+  tiles.push_back(tile(
+      "host time", seconds(time.at("host_seconds")),
+      time.at("simulation_mcycles_per_second").is_null()
+          ? std::string("all stages")
+          : fmt::format("simulated at {} Mcycles/s", number(time.at("simulation_mcycles_per_second"), 2))));
   return tiles;
 }
 
 std::string light_text(const Json& light) {
-  const bool directional = light["type"] == "directional";
-  const Json& v = light[directional ? "direction" : "position"];
+  const bool directional = light.at("type") == "directional";
+  const Json& v = light.at(directional ? "direction" : "position");
   return fmt::format("{} ({:.4g}, {:.4g}, {:.4g})", directional ? "directional, travelling" : "point at",
-                     v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
+                     v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>());
 }
 
 }  // namespace
 
 Json summary_section(const Json& m) {
-  Json view = verdict_view(m["compare"]);
-  view["title"] = m["scene"]["name"];
-  view["source"] = m["scene"]["source"];
-  view["started"] = m["started"];
-  view["engine"] = m["engine"];
+  Json view = verdict_view(m.at("compare"));
+  view["title"] = m.at("scene").at("name");
+  view["source"] = m.at("scene").at("source");
+  view["started"] = m.at("started");
+  view["engine"] = m.at("engine");
   view["configuration_line"] = configuration_line(m);
   view["tiles"] = key_figures(m);
   view["lights"] = Json::array();
-  for (const Json& light : m["lights"]) view["lights"].push_back({{"text", light_text(light)}});
-  view["command_line"] = m["command"]["line"];
-  const Json& mask = m["picture"]["mask"];
+  for (const Json& light : m.at("lights")) view["lights"].push_back({{"text", light_text(light)}});
+  view["command_line"] = m.at("command").at("line");
+  const Json& mask = m.at("picture").at("mask");
   view["picture_error"] = fmt::format(
       "{} false shadow, {} false lit of {} samples; shadow masks overlap by {} (intersection over union), "
       "RMSE {}",
-      count(mask["false_shadow"]), count(mask["false_lit"]), count(mask["samples"]),
-      number(m["picture"]["intersection_over_union"], 4), number(m["picture"]["rmse"], 4));
+      count(mask.at("false_shadow")), count(mask.at("false_lit")), count(mask.at("samples")),
+      number(m.at("picture").at("intersection_over_union"), 4), number(m.at("picture").at("rmse"), 4));
   return view;
 }
 

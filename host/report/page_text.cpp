@@ -31,21 +31,21 @@ Json row(std::string name, std::string value) {
 }
 
 std::string wall_text(const Json& metrics, std::string_view stage) {
-  for (const Json& s : metrics["stages"]) {
-    if (s["name"] == stage) return seconds(s["wall_seconds"]);
+  for (const Json& s : metrics.at("stages")) {
+    if (s.at("name") == stage) return seconds(s.at("wall_seconds"));
   }
   return kNone;
 }
 
 std::string configuration_line(const Json& m) {
-  const Json& h = m["hardware"];
+  const Json& h = m.at("hardware");
   return fmt::format(
-      "{} · {}³ voxels, {}-adjacent · plane {}², {} voxels an entry · VOXEL_FRAC_BITS {} · NORMAL_BITS {} · "
+      "{} · {}³ voxels, {}-adjacent · plane {}², pitch {} · VOXEL_FRAC_BITS {} · NORMAL_BITS {} · "
       "MATRIX_FRAC_BITS {} · DEPTH_BITS {}",
-      m["technique"].get<std::string>(), m["grid"]["res"].dump(), m["grid"]["adjacency"].dump(),
-      m["plane"]["side"].dump(), fmt::format("{:g}", m["plane"]["pitch"].get<double>()),
-      h["VOXEL_FRAC_BITS"].dump(), h["NORMAL_BITS"].dump(), h["MATRIX_FRAC_BITS"].dump(),
-      h["DEPTH_BITS"].dump());
+      m.at("technique").get<std::string>(), m.at("grid").at("res").dump(),
+      m.at("grid").at("adjacency").dump(), m.at("plane").at("side").dump(),
+      fmt::format("{:g}", m.at("plane").at("pitch").get<double>()), h.at("VOXEL_FRAC_BITS").dump(),
+      h.at("NORMAL_BITS").dump(), h.at("MATRIX_FRAC_BITS").dump(), h.at("DEPTH_BITS").dump());
 }
 
 }  // namespace gnomon::report

@@ -31,12 +31,12 @@ Json pass_row(const std::string& name, const Json& pass, double longest, std::ui
   std::vector<Segment> segments;
   Json causes = Json::array();
   for (const Cause& cause : kCauses) {
-    const std::uint64_t cycles = pass["causes"].value(cause.key, std::uint64_t{0});
+    const std::uint64_t cycles = pass.at("causes").value(cause.key, std::uint64_t{0});
     segments.push_back({cause.style, fmt::format("{} · {}: {} cycles", name, cause.name, with_commas(cycles)),
                         static_cast<double>(cycles)});
     causes.push_back(with_commas(cycles));
   }
-  const auto total = pass["total"].get<std::uint64_t>();
+  const auto total = pass.at("total").get<std::uint64_t>();
   return {{"name", name},
           {"bar", stacked_bar(segments, longest, fmt::format("{}: {} cycles", name, with_commas(total)))},
           {"total", with_commas(total)},
@@ -47,14 +47,14 @@ Json pass_row(const std::string& name, const Json& pass, double longest, std::ui
 }  // namespace
 
 Json cycle_section(const Json& m) {
-  const Json& cycles = m["cycles"];
+  const Json& cycles = m.at("cycles");
   if (cycles.is_null()) return {{"cycles", false}};
   double longest = 1;
-  for (const auto& [name, pass] : cycles["by_pass"].items())
-    longest = std::max(longest, pass["total"].get<double>());
-  const auto all = cycles["total"].get<std::uint64_t>();
+  for (const auto& [name, pass] : cycles.at("by_pass").items())
+    longest = std::max(longest, pass.at("total").get<double>());
+  const auto all = cycles.at("total").get<std::uint64_t>();
   Json passes = Json::array();
-  for (const auto& [name, pass] : cycles["by_pass"].items())
+  for (const auto& [name, pass] : cycles.at("by_pass").items())
     passes.push_back(pass_row(name, pass, longest, all));
   Json causes = Json::array();
   for (const Cause& cause : kCauses) causes.push_back({{"name", cause.name}, {"style", cause.style}});
@@ -63,18 +63,18 @@ Json cycle_section(const Json& m) {
 
 Json stage_section(const Json& m) {
   double full = 0;
-  for (const Json& s : m["stages"]) full += s["wall_seconds"].get<double>();
+  for (const Json& s : m.at("stages")) full += s.at("wall_seconds").get<double>();
   Json stages = Json::array();
   double start = 0;
-  for (const Json& s : m["stages"]) {
-    const auto wall = s["wall_seconds"].get<double>();
-    const auto name = s["name"].get<std::string>();
+  for (const Json& s : m.at("stages")) {
+    const auto wall = s.at("wall_seconds").get<double>();
+    const auto name = s.at("name").get<std::string>();
     const std::string text =
-        fmt::format("{}: {} wall, {} user CPU", name, duration(wall), seconds(s["user_seconds"]));
+        fmt::format("{}: {} wall, {} user CPU", name, duration(wall), seconds(s.at("user_seconds")));
     stages.push_back({{"name", name},
                       {"bar", waterfall_bar({"c-stage", text, wall}, start, full, text)},
                       {"wall", duration(wall)},
-                      {"user", seconds(s["user_seconds"])}});
+                      {"user", seconds(s.at("user_seconds"))}});
     start += wall;
   }
   return {{"stages", stages}, {"stages_total", duration(full)}};

@@ -164,6 +164,7 @@ struct RunRecord {
   ExactRecord exact;
   PictureRecord picture;
   std::vector<StageTime> stages;
+  std::uint64_t peak_memory_bytes = 0;  ///< of the host program
 };
 
 }  // namespace gnomon::report

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// metrics.json has the keys that scripts depend on, every one of them documented, and figures that add up.
+#include "host/report/metrics_json.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "tests/host/report/sample_record.hpp"
+
+namespace gnomon::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+TEST(Metrics, HasTheKeysOfTheContract) {
+  const ordered_json m = metrics_json(sample_record());
+  EXPECT_EQ(m["schema"], 1);
+  EXPECT_EQ(m["grid"]["res"], 128);
+  EXPECT_EQ(m["grid"]["origin"], ordered_json({-1.5, -1.0, -1.25}));
+  EXPECT_EQ(m["grid"]["voxel_size"], 0.0234375);
+  EXPECT_EQ(m["grid"]["adjacency"], 26);
+  EXPECT_EQ(m["lights"], ordered_json::parse(R"([{"type":"directional","direction":[0.0,-1.0,0.0]}])"));
+  EXPECT_EQ(m["compare"]["words"], 217001);
+  EXPECT_EQ(m["compare"]["differing"], 0);
+  EXPECT_EQ(m["parameters"]["res"]["value"], 128);
+  EXPECT_EQ(m["parameters"]["res"]["origin"], "command line");
+}
+
+TEST(Metrics, PointLightsHaveAPosition) {
+  RunRecord record = sample_record();
+  record.lights = {PointLight{Vec3(1, 2, 3)}};
+  EXPECT_EQ(metrics_json(record)["lights"],
+            ordered_json::parse(R"([{"type":"point","position":[1.0,2.0,3.0]}])"));
+}
+
+TEST(Metrics, FiguresAddUp) {
+  const ordered_json m = metrics_json(sample_record());
+  std::uint64_t sum = 0;
+  for (const auto& [name, pass] : m["cycles"]["by_pass"].items()) {
+    std::uint64_t causes = 0;
+    for (const auto& [cause, cycles] : pass["causes"].items()) causes += cycles.get<std::uint64_t>();
+    EXPECT_EQ(pass["total"], causes) << name;
+    sum += causes;
+  }
+  EXPECT_EQ(m["cycles"]["total"], sum);
+  EXPECT_DOUBLE_EQ(m["run_time"]["seconds_at_clock"], static_cast<double>(sum) / 125e6);
+  EXPECT_DOUBLE_EQ(m["run_time"]["simulation_mcycles_per_second"], static_cast<double>(sum) * 1e-6 / 0.11);
+  EXPECT_DOUBLE_EQ(m["cycles"]["per_voxel"]["project"], (217004 + 130) / 217000.0);
+  EXPECT_EQ(m["memory"]["plane_bits"], 256 * 256 * 32);
+  EXPECT_DOUBLE_EQ(m["plane"]["share_hit"], 31000.0 / 65536);
+  const ordered_json& all = m["errors"]["fixed"]["all"];
+  EXPECT_EQ(all["mislabelled"].get<int>(), all["false_shadow"].get<int>() + all["false_lit"].get<int>());
+  EXPECT_DOUBLE_EQ(all["share"], all["mislabelled"].get<double>() / 217000);
+}
+
+TEST(Metrics, GoldenAloneHasNoCyclesAndNoVerdict) {
+  const ordered_json m = metrics_json(golden_record());
+  EXPECT_TRUE(m["cycles"].is_null());
+  EXPECT_TRUE(m["run_time"]["seconds_at_clock"].is_null());
+  EXPECT_EQ(m["compare"]["compared"], false);
+  EXPECT_EQ(m["compare"]["words"], 0);
+  EXPECT_EQ(m["compare"]["failed"], false);
+}
+
+TEST(Metrics, AComparisonWithoutWordsHasFailed) {
+  CompareRecord compare{true, 0, 0, 0, "", nullptr};
+  EXPECT_TRUE(compare.failed());
+  EXPECT_THAT(verdict(compare), testing::HasSubstr("nothing is verified"));
+  compare.words = 5;
+  EXPECT_FALSE(compare.failed());
+  EXPECT_EQ(verdict(compare), "5 words compared, 0 differ");
+  compare.other_faults = 1;
+  EXPECT_TRUE(compare.failed());
+  compare = {true, 5, 1, 0, "", nullptr};
+  EXPECT_TRUE(compare.failed());
+}
+
+TEST(Metrics, NothingIsDividedByZero) {
+  RunRecord record;
+  record.compare.compared = true;
+  record.cycles = {{"PROJECT", {{"BUSY", 0}}}};
+  const std::string text = metrics_json(record).dump();  // would write null for NaN and hide it
+  EXPECT_TRUE(metrics_json(record)["errors"]["fixed"]["all"]["share"].is_null());
+  EXPECT_TRUE(metrics_json(record)["plane"]["share_hit"].is_null());
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("nan")));
+}
+
+/// Adds the names of all keys below `json`; free-form tables are named, not entered.
+void collect(const ordered_json& json, std::set<std::string>& keys) {
+  static const std::set<std::string> kFreeForm{"parameters", "registers", "versions",        "events",
+                                               "hardware",   "by_pass",   "first_difference"};
+  if (json.is_array() && !json.empty()) return collect(json.front(), keys);
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    keys.insert(key);
+    if (!kFreeForm.contains(key)) collect(value, keys);
+  }
+}
+
+TEST(Metrics, EveryKeyIsDocumented) {
+  std::ifstream file(GNOMON_REPORT_DOC);
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(page.empty()) << GNOMON_REPORT_DOC;
+  std::set<std::string> keys;
+  collect(metrics_json(failing_record()), keys);
+  ASSERT_GT(keys.size(), 100u);
+  for (const std::string& key : keys) {
+    const bool documented =
+        page.find("`" + key) != std::string::npos || page.find("." + key) != std::string::npos;
+    EXPECT_TRUE(documented) << key << " is missing from docs/report.md";
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::report

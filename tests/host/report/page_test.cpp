@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// report.html stands alone, escapes what it is given, and says what must be said.
+#include "host/report/page.hpp"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+#include "host/report/metrics_json.hpp"
+#include "tests/host/report/sample_record.hpp"
+
+namespace gnomon::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string page_of(const RunRecord& record) {
+  return report_page(metrics_json(record), {"image", "reference!", "error bytes"});
+}
+
+/// What the page would load: targets of src, href and url(), besides links within the page.
+std::vector<std::string> outside_references(const std::string& html) {
+  static const std::regex kReference(
+      R"re((?:\bsrc|\bhref|\bsrcset|\baction|\bdata)\s*=\s*"([^"]*)"|url\(([^)]*)\)|@import\s+([^;]*))re");
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(html.begin(), html.end(), kReference), end; at != end; ++at) {
+    const std::string target = (*at)[1].str() + (*at)[2].str() + (*at)[3].str();
+    if (!target.starts_with("#") && !target.starts_with("data:")) found.push_back(target);
+  }
+  return found;
+}
+
+TEST(Page, LoadsNothing) {
+  const std::string html = page_of(sample_record());
+  EXPECT_THAT(outside_references(html), testing::IsEmpty());
+  EXPECT_THAT(html, Not(HasSubstr("http://")));
+  EXPECT_THAT(html, Not(HasSubstr("https://")));
+  EXPECT_THAT(html, HasSubstr("Content-Security-Policy"));
+  EXPECT_THAT(html, Not(HasSubstr(" style=\""))) << "a strict policy refuses style attributes";
+  EXPECT_THAT(html, Not(testing::ContainsRegex(" on[a-z]+=\""))) << "and event handlers";
+}
+
+TEST(Page, TheCheckForReferencesFindsThem) {
+  EXPECT_THAT(outside_references(R"(<img src="data:x"><a href="#a"><script src="x.js">)"),
+              testing::ElementsAre("x.js"));
+  EXPECT_THAT(outside_references("a{background:url(//cdn/x)}"), testing::ElementsAre("//cdn/x"));
+}
+
+TEST(Page, PicturesAreInline) {
+  const std::string html = page_of(sample_record());
+  EXPECT_THAT(html, HasSubstr("\"data:image/png;base64,aW1hZ2U=\""));
+  EXPECT_THAT(html, HasSubstr("\"data:image/png;base64,cmVmZXJlbmNlIQ==\""));
+  EXPECT_THAT(html, HasSubstr("\"data:image/png;base64,ZXJyb3IgYnl0ZXM=\""));
+}
+
+TEST(Page, EverythingGivenIsEscaped) {
+  RunRecord record = failing_record();
+  const std::string evil = "<script>alert('x')</script>&\"";
+  record.scene_name = record.scene_source = record.started = record.engine = record.technique = evil;
+  record.command_line = {evil};
+  record.versions = {{evil, evil}};
+  record.parameters = {{evil, evil, evil, evil, evil}};
+  record.objects[0].name = evil;
+  record.warnings = {evil};
+  record.registers[0].name = evil;
+  record.cycles[0].pass = evil;
+  record.stages[0].name = evil;
+  record.compare.text = evil;
+  record.compare.first["command"] = record.compare.first["item"] = evil;
+  const std::string html = page_of(record);
+  EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(html, Not(HasSubstr("alert('x')")));
+  EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(&apos;x&apos;)&lt;/script&gt;&amp;&quot;"));
+}
+
+TEST(Page, SaysThatAllWordsAgree) {
+  const std::string html = page_of(sample_record());
+  EXPECT_THAT(html, HasSubstr("217,001 words compared, 0 differ"));
+  EXPECT_THAT(html, HasSubstr("class=\"verdict good\""));
+  EXPECT_THAT(html, Not(HasSubstr("class=\"verdict bad\"")));
+}
+
+TEST(Page, ShowsTheFirstDifference) {
+  const std::string html = page_of(failing_record());
+  EXPECT_THAT(html, HasSubstr("class=\"verdict bad\""));
+  EXPECT_THAT(html, Not(HasSubstr("class=\"verdict good\"")));
+  EXPECT_THAT(html, HasSubstr("217,001 words compared, 3 differ"));
+  EXPECT_THAT(html, HasSubstr("First difference: result word 41, cycle 4,711"));
+  EXPECT_THAT(html, HasSubstr("1140000000000000 VOXEL_STATE lit"));
+  EXPECT_THAT(html, HasSubstr("1180000000000000 VOXEL_STATE shadow"));
+  EXPECT_THAT(html, HasSubstr("3 differ &lt;here&gt;"));
+}
+
+TEST(Page, GoldenAloneClaimsNoComparisonAndNoCycles) {
+  const std::string html = page_of(golden_record());
+  EXPECT_THAT(html, HasSubstr("class=\"verdict none\""));
+  EXPECT_THAT(html, Not(HasSubstr("class=\"verdict good\"")));
+  EXPECT_THAT(html, HasSubstr("not simulated"));
+}
+
+TEST(Page, EveryErrorStandsNextToWhatItCosts) {
+  const std::string html = page_of(sample_record());
+  const std::size_t table = html.find("<table class=\"cards\">");
+  const std::string rows = html.substr(table, html.find("</table>", table) - table);
+  for (const char* figure : {"fixed point", "double", "exact", "440,241", "3.52 ms", "110 ms rtl", "1.20 s",
+                             "2.10 Mbit", "0.1470"}) {
+    EXPECT_THAT(rows, HasSubstr(figure));
+  }
+}
+
+TEST(Page, MissingKeysAreNotPassedOver) {
+  auto metrics = metrics_json(sample_record());
+  metrics.erase("memory");
+  EXPECT_THROW(report_page(metrics, {}), std::exception);
+}
+
+}  // namespace
+}  // namespace gnomon::report

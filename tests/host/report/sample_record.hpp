@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run as it might have been, with every field set.
+#pragma once
+
+#include "host/report/run_record.hpp"
+
+namespace gnomon::report {
+
+RunRecord sample_record();
+/// The same run on the golden engine alone.
+RunRecord golden_record();
+/// The same run with a word that differs.
+RunRecord failing_record();
+
+}  // namespace gnomon::report
