@@ -40,12 +40,11 @@ double start_lift(double sag, const Box3& box) {
 
 }  // namespace
 
-struct ExactReference::Impl {
-  Impl(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided_objects,
-       const DirectionalLight& light, const TessellationOptions& options)
-      : two_sided(std::move(two_sided_objects)),
-        to_light(unit_towards_light(light)),
-        scene(bounds_of(surfaces).center()) {
+/// What all lights share.
+struct ExactReference::Geometry {
+  Geometry(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided_objects,
+           const TessellationOptions& options)
+      : two_sided(std::move(two_sided_objects)), scene(bounds_of(surfaces).center()) {
     const Box3 box = bounds_of(surfaces);
     const Tessellation cells = tessellate(surfaces, options);
     sag = cells.sag;
@@ -58,29 +57,44 @@ struct ExactReference::Impl {
     scene.commit();
   }
 
+  std::vector<bool> two_sided;
+  RayScene scene;
+  double sag = 0, lift = 0;
+  std::size_t triangles = 0;
+};
+
+struct ExactReference::Impl {
+  Impl(std::shared_ptr<const Geometry> shared, const DirectionalLight& light)
+      : geometry(std::move(shared)), to_light(unit_towards_light(light)) {}
+
   Exact classify(const SurfaceQuery& query) {
     Vec3 normal = query.normal;
     double facing = normal.dot(to_light);
-    if (facing < 0 && query.object < two_sided.size() && two_sided[query.object]) {
+    if (facing < 0 && query.object < geometry->two_sided.size() && geometry->two_sided[query.object]) {
       normal = -normal;
       facing = -facing;
     }
     if (!(facing > kEdgeOn)) return Exact::Attached;
     ++rays.local();
-    return scene.any_hit(query.point + normal * lift, to_light) ? Exact::Cast : Exact::Lit;
+    const Vec3 start = query.point + normal * geometry->lift;
+    return geometry->scene.any_hit(start, to_light) ? Exact::Cast : Exact::Lit;
   }
 
-  std::vector<bool> two_sided;
+  std::shared_ptr<const Geometry> geometry;
   Vec3 to_light;
-  RayScene scene;
-  double sag = 0, lift = 0;
-  std::size_t triangles = 0;
   tbb::enumerable_thread_specific<std::uint64_t> rays{std::uint64_t{0}};
 };
 
 ExactReference::ExactReference(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided,
-                               const DirectionalLight& light, const TessellationOptions& options)
-    : impl_(std::make_unique<Impl>(surfaces, std::move(two_sided), light, options)) {}
+                               const DirectionalLight& light, const TessellationOptions& options) {
+  unit_towards_light(light);  // refuse before the long part
+  impl_ = std::make_unique<Impl>(std::make_shared<const Geometry>(surfaces, std::move(two_sided), options),
+                                 light);
+}
+ExactReference::ExactReference(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ExactReference ExactReference::relit(const DirectionalLight& light) const {
+  return ExactReference(std::make_unique<Impl>(impl_->geometry, light));
+}
 ExactReference::ExactReference(ExactReference&&) noexcept = default;
 ExactReference& ExactReference::operator=(ExactReference&&) noexcept = default;
 ExactReference::~ExactReference() = default;
@@ -104,13 +118,13 @@ Vec3 ExactReference::to_light() const {
   return impl_->to_light;
 }
 double ExactReference::sag() const {
-  return impl_->sag;
+  return impl_->geometry->sag;
 }
 double ExactReference::lift() const {
-  return impl_->lift;
+  return impl_->geometry->lift;
 }
 std::size_t ExactReference::triangles() const {
-  return impl_->triangles;
+  return impl_->geometry->triangles;
 }
 std::uint64_t ExactReference::rays() const {
   return impl_->rays.combine([](std::uint64_t a, std::uint64_t b) { return a + b; });

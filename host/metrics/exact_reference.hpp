@@ -42,6 +42,8 @@ class ExactReference {
   /// missing entries count as closed. Throws std::invalid_argument for a zero light.
   ExactReference(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided,
                  const DirectionalLight& light, const TessellationOptions& options = {});
+  /// The same surfaces under another light, without tessellating them again.
+  ExactReference relit(const DirectionalLight& light) const;
   ExactReference(ExactReference&&) noexcept;
   ExactReference& operator=(ExactReference&&) noexcept;
   ~ExactReference();
@@ -58,7 +60,9 @@ class ExactReference {
   std::uint64_t rays() const;  ///< cast so far
 
  private:
+  struct Geometry;
   struct Impl;
+  explicit ExactReference(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -93,6 +93,11 @@ struct Addition {
 void share_group(BorderGroup group, std::span<const FaceRects> faces, std::span<const std::size_t> place,
                  std::vector<Addition>& additions) {
   std::vector<double> common;
+  const bool lengths_differ = std::any_of(group.begin(), group.end(), [&](const BorderPiece& piece) {
+    return piece.whole() != group.front().whole();
+  });
+  // The end of a side is a vertex even where it lies halfway along the neighbour's side.
+  if (lengths_differ) common = {0, 1};
   for (const BorderPiece& piece : group)
     for (const Param& p : faces[place[piece.face]].vertices.along(piece.side, piece.t0, piece.t1))
       common.push_back(piece.common(p[1]));

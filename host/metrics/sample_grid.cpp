@@ -24,7 +24,9 @@ bool is_tiny(const surface::LimitSurface& surface, std::uint32_t face, double sp
 }
 
 std::uint32_t cells_for(double longest_piece, double spacing) {
-  return static_cast<std::uint32_t>(std::max(1.0, std::ceil(longest_piece * (kProbes - 1) / spacing)));
+  // Rounding must not give a face of exact size one cell more.
+  const double cells = std::ceil(longest_piece * (kProbes - 1) / spacing - 1e-6);
+  return static_cast<std::uint32_t>(std::max(1.0, cells));
 }
 
 void choose(const surface::LimitSurface& surface, FaceGrid& grid, double spacing) {

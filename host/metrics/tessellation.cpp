@@ -77,15 +77,24 @@ class FaceTessellator {
 
   std::pair<bool, bool> must_split(const Cell& cell, const CellPoints& c) const {
     const auto& p = c.p;
-    bool u = false;
-    bool v = false;
+    double bend_u = 0;
+    double bend_v = 0;
+    double side_u = 0;
+    double side_v = 0;
     for (int k = 0; k < 3; ++k) {
-      u = u || bend(p[k][0], p[k][1], p[k][2]) > sag_ || (p[k][2] - p[k][0]).length() > longest_side_;
-      v = v || bend(p[0][k], p[1][k], p[2][k]) > sag_ || (p[2][k] - p[0][k]).length() > longest_side_;
+      bend_u = std::max(bend_u, bend(p[k][0], p[k][1], p[k][2]));
+      bend_v = std::max(bend_v, bend(p[0][k], p[1][k], p[2][k]));
+      side_u = std::max(side_u, (p[k][2] - p[k][0]).length());
+      side_v = std::max(side_v, (p[2][k] - p[0][k]).length());
     }
+    bool u = bend_u > sag_ || side_u > longest_side_;
+    bool v = bend_v > sag_ || side_v > longest_side_;
     // The cell is cut along one diagonal: a twisted quad is off by its centre even where all its lines are
     // straight. Points at the quarters catch lines that cross their chord in the middle.
-    if (!u && !v) u = v = bend(p[0][0], p[1][1], p[2][2]) > sag_ || off_at_quarters(cell, c);
+    if (!u && !v && (bend(p[0][0], p[1][1], p[2][2]) > sag_ || off_at_quarters(cell, c))) {
+      u = bend_u > bend_v || (bend_u == bend_v && side_u >= side_v);
+      v = !u;
+    }
     return {u && cell.depth_u < kDepthMax, v && cell.depth_v < kDepthMax};
   }
 

@@ -12,7 +12,7 @@
 namespace gnomon::metrics {
 
 struct TessellationOptions {
-  double sag = 1.0 / 1024;   ///< voxels: largest measured distance between a triangle and the limit surface
+  double sag = 1.0 / 512;    ///< voxels: largest measured distance between a triangle and the limit surface
   double longest_side = 16;  ///< voxels: no cell is longer, however flat
   std::size_t max_cells = 4'000'000;  ///< over all objects; where exceeded, the sag is relaxed (and reported)
 };

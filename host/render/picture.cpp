@@ -156,13 +156,19 @@ Picture PictureScene::Impl::draw(const Camera& camera, const Light& light,
   tbb::parallel_for(std::size_t{0}, height, [&](std::size_t py) {
     for (std::size_t px = 0; px < width; ++px) {
       std::array<double, 3> sum{};
+      bool empty = true;
       for (std::size_t s = 0; s < super * super; ++s) {
-        const Color color = sample(px * super + s % super, py * super + s / super);
+        const std::size_t sx = px * super + s % super;
+        const std::size_t sy = py * super + s / super;
+        const Color color = sample(sx, sy);
+        empty = empty && picture.mask[sy * width * super + sx] == MaskValue::Background;
         // Clamped before the mean, so that a bright highlight's outline is smoothed too.
         for (std::size_t k = 0; k < 3; ++k) sum[k] += std::min(1.0, double{color[k]});
       }
+      const double dither = empty ? dither_noise(px, py) : 0.0;
       for (std::size_t k = 0; k < 3; ++k)
-        picture.image.rgb[3 * (py * width + px) + k] = to_srgb(sum[k] / static_cast<double>(super * super));
+        picture.image.rgb[3 * (py * width + px) + k] =
+            to_srgb(sum[k] / static_cast<double>(super * super), dither);
     }
     progress.step();
   });

@@ -13,9 +13,9 @@ namespace {
 
 constexpr Color kSky = {0.30f, 0.33f, 0.38f};     ///< ambient from above
 constexpr Color kBounce = {0.17f, 0.15f, 0.13f};  ///< ambient from below
-constexpr Color kSun = {0.98f, 0.93f, 0.84f};
-constexpr Color kHorizon = {0.83f, 0.85f, 0.87f};
-constexpr Color kZenith = {0.46f, 0.55f, 0.66f};
+constexpr Color kSun = {0.92f, 0.87f, 0.79f};
+constexpr Color kHorizon = {0.90f, 0.89f, 0.87f};
+constexpr Color kZenith = {0.50f, 0.57f, 0.66f};
 
 Color blend(const Color& a, const Color& b, double t) {
   Color mixed{};
@@ -57,10 +57,17 @@ Color background(double height) {
   return blend(kHorizon, kZenith, std::clamp(height, 0.0, 1.0));
 }
 
-std::uint8_t to_srgb(double linear) {
+std::uint8_t to_srgb(double linear, double dither) {
   const double x = std::clamp(linear, 0.0, 1.0);
   const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(encoded * 255));
+  return static_cast<std::uint8_t>(std::clamp(std::lround(encoded * 255 + dither), 0L, 255L));
+}
+
+double dither_noise(std::size_t x, std::size_t y) {
+  // Interleaved gradient noise: evenly spread among neighbours, no table.
+  const double turn = 0.06711056 * static_cast<double>(x) + 0.00583715 * static_cast<double>(y);
+  const double noise = 52.9829189 * (turn - std::floor(turn));
+  return noise - std::floor(noise) - 0.5;
 }
 
 }  // namespace gnomon::render

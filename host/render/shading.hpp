@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "host/base/vec.hpp"
 #include "host/render/view.hpp"
@@ -31,7 +33,10 @@ Color shade(const ShadingPoint& point, const Material& material, const LightShar
 /// Behind everything: `height` runs from 0 at the picture's bottom to 1 at its top.
 Color background(double height);
 
-/// Linear 0..1 to an sRGB byte, rounded to nearest.
-std::uint8_t to_srgb(double linear);
+/// Linear 0..1 to an sRGB byte, rounded to nearest after `dither` (in bytes, |dither| <= 1/2) is added.
+std::uint8_t to_srgb(double linear, double dither = 0);
+
+/// Noise for pixel (x, y) in [-1/2, 1/2), always the same: it keeps a slow gradient from showing steps.
+double dither_noise(std::size_t x, std::size_t y);
 
 }  // namespace gnomon::render

@@ -8,7 +8,7 @@ namespace gnomon::render {
 namespace {
 
 constexpr std::array<std::array<float, 3>, 7> kWarm = {{
-    {0.80f, 0.33f, 0.14f},  // terracotta
+    {0.72f, 0.29f, 0.14f},  // terracotta
     {0.83f, 0.56f, 0.16f},  // ochre
     {0.62f, 0.17f, 0.17f},  // brick
     {0.78f, 0.45f, 0.38f},  // salmon
@@ -24,7 +24,7 @@ std::vector<Material> default_materials(std::uint32_t objects, std::uint32_t gro
   std::size_t next = 0;
   for (std::uint32_t i = 0; i < objects; ++i) {
     if (i == ground) {
-      materials[i] = {{0.62f, 0.61f, 0.59f}, 0.0f, 1};
+      materials[i] = {{0.66f, 0.65f, 0.63f}, 0.0f, 1};
     } else {
       materials[i] = {kWarm[next], 0.22f, 36};
       next = (next + 1) % kWarm.size();
