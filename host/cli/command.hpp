@@ -41,6 +41,9 @@ class Command {
 
 std::unique_ptr<Command> make_doctor_command();
 std::unique_ptr<Command> make_params_command();
+std::unique_ptr<Command> make_run_command();
+std::unique_ptr<Command> make_verify_command();
 std::unique_ptr<Command> make_voxelize_command();
+std::unique_ptr<Command> make_wave_command();
 
 }  // namespace gnomon::cli

@@ -4,30 +4,14 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/output_files.hpp"
-#include "host/cli/progress.hpp"
 #include "host/cli/scene_input.hpp"
+#include "host/cli/scene_voxels.hpp"
 #include "host/cli/voxel_files.hpp"
-#include "host/voxel/voxelizer.hpp"
 
 namespace gnomon::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-Result<std::vector<surface::LimitSurface>> limit_surfaces(const scene::Scene& scene,
-                                                          const voxel::Grid& grid) {
-  std::vector<surface::LimitSurface> surfaces;
-  for (const scene::Object& object : scene.objects) {
-    Result<surface::LimitSurface> surface =
-        surface::LimitSurface::build(object.mesh, scene::to_grid(object, grid));
-    if (!surface) {
-      return fail(fmt::format("{}: error: object '{}': {}", scene.source.string(), object.name,
-                              surface.error().message));
-    }
-    surfaces.push_back(std::move(*surface));
-  }
-  return surfaces;
-}
 
 class VoxelizeCommand : public Command {
  public:
@@ -58,7 +42,7 @@ class VoxelizeCommand : public Command {
     if (!adjacency_.empty()) flags.push_back("adjacency=" + adjacency_);
     const Result<LoadedScene> input = load_input(context, model_, flags, {{"ground", "off", "default"}});
     if (!input) return tl::make_unexpected(input.error());
-    const Result<voxel::VoxelSet> voxels = voxelize(context, *input);
+    const Result<voxel::VoxelSet> voxels = voxelize_scene(context, *input, false);
     if (!voxels) return tl::make_unexpected(voxels.error());
     context.interruption.check();
     if (Result<void> written = write(*voxels); !written) return tl::make_unexpected(written.error());
@@ -75,23 +59,6 @@ class VoxelizeCommand : public Command {
       if (Result<void> possible = check_output(output); !possible) return possible;
     }
     return {};
-  }
-
-  static Result<voxel::VoxelSet> voxelize(Context& context, const LoadedScene& input) {
-    const Result<voxel::Grid> grid = scene::fit_grid(
-        input.scene, static_cast<std::uint32_t>(input.settings.integer("res")), adjacency_of(input.settings));
-    if (!grid) return tl::make_unexpected(grid.error());
-    const Result<std::vector<surface::LimitSurface>> surfaces = limit_surfaces(input.scene, *grid);
-    if (!surfaces) return tl::make_unexpected(surfaces.error());
-    ProgressLine line(context.show_progress);
-    voxel::VoxelizerOptions options;
-    options.representatives = false;
-    options.threads = static_cast<unsigned>(input.settings.integer("threads"));
-    options.progress = [&](double done) {
-      context.interruption.check();
-      line.update("voxelize", done);
-    };
-    return voxel::voxelize(*surfaces, *grid, options);
   }
 
   Result<void> write(const voxel::VoxelSet& voxels) const {

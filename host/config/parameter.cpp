@@ -17,7 +17,7 @@ namespace gnomon::config {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every JSON reader gets it back exactly
+constexpr double kLargestSeed = 4294967295;
 
 Parameter integer(std::string_view key, std::int64_t preset, double low, double high, std::string_view unit,
                   std::string_view help) {

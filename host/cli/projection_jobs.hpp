@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the hardware is asked to do for a scene: one command stream a light.
+#pragma once
+
+#include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/config.hpp>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/cli/command.hpp"
+#include "host/cli/scene_input.hpp"
+#include "sim/model_cache.hpp"
+#include "sim/rtl_engine.hpp"
+
+namespace gnomon::cli {
+
+struct ProjectionJob {
+  golden::HardwareConfig config;
+  std::vector<golden::Word> stream;
+};
+
+/// Voxelizes the scene and plans every light. Throws Interrupted.
+Result<std::vector<ProjectionJob>> projection_jobs(Context& context, const LoadedScene& input);
+
+/// Options of the rtl engine that several subcommands share: seed, Ctrl-C, and faults to be built in.
+sim::RtlOptions rtl_options(const Context& context, const config::Settings& settings,
+                            const std::vector<std::string>& defines);
+
+/// "--define NAME": builds the hardware with a preprocessor name set.
+void add_define_option(CLI::App& command, std::vector<std::string>& defines);
+
+/// A cache of compiled models that says in the log when it compiles one.
+sim::ModelCache model_cache(const Context& context);
+
+/// Calls `work`, which runs models; what the user can cure (no compiler, an interruption) becomes an Error or
+/// Interrupted.
+template <class Work>
+auto with_models(Work&& work) -> Result<decltype(work())> {
+  try {
+    return work();
+  } catch (const sim::Aborted&) {
+    throw Interrupted();
+  } catch (const sim::ModelBuildError& error) {
+    return fail(error.what());
+  }
+}
+
+}  // namespace gnomon::cli

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// gnomon verify: the hardware against golden, word for word.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <gnomon/golden/golden_engine.hpp>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/junit.hpp"
+#include "host/cli/output_files.hpp"
+#include "host/cli/progress.hpp"
+#include "host/cli/projection_jobs.hpp"
+#include "sim/compare.hpp"
+
+namespace gnomon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One light of one scene.
+struct Verdict {
+  std::string name;
+  sim::CompareReport report;
+  double seconds = 0;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+class VerifyCommand : public Command {
+ public:
+  CLI::App* add_to(CLI::App& program) override {
+    CLI::App* command = program.add_subcommand("verify", "Compare the hardware with golden, word for word");
+    command->add_option("SCENE", scenes_, "OBJ control cages, or scene files")->required();
+    add_set_option(*command, set_);
+    add_define_option(*command, defines_);
+    command->add_option("--junit", junit_, "Write the verdicts as JUnit XML, too")->type_name("FILE");
+    command->add_flag("--json", json_, "Print the comparisons as JSON");
+    command->footer(
+        "Exit status 1 if a word differs, or if none was compared.\n\nExample:\n  gnomon verify cup.obj "
+        "links.toml --set res=128");
+    return command;
+  }
+
+  Result<int> run(Context& context) override {
+    if (!junit_.empty()) {
+      if (Result<void> possible = check_output(junit_); !possible)
+        return tl::make_unexpected(possible.error());
+    }
+    std::vector<Verdict> verdicts;
+    for (const fs::path& scene : scenes_) {
+      if (Result<void> done = verify(context, scene, verdicts); !done)
+        return tl::make_unexpected(done.error());
+    }
+    if (Result<void> written = write_junit(verdicts); !written) return tl::make_unexpected(written.error());
+    if (json_) print_json(verdicts);
+    const bool passed =
+        std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.report.passed(); });
+    return passed ? kDone : kComparisonFailed;
+  }
+
+ private:
+  Result<void> verify(Context& context, const fs::path& scene, std::vector<Verdict>& verdicts) const {
+    const Result<LoadedScene> input = load_input(context, scene, set_);
+    if (!input) return tl::make_unexpected(input.error());
+    const Result<std::vector<ProjectionJob>> jobs = projection_jobs(context, *input);
+    if (!jobs) return tl::make_unexpected(jobs.error());
+    for (std::size_t i = 0; i < jobs->size(); ++i) {
+      Result<Verdict> verdict = with_models([&] { return compare(context, (*jobs)[i], input->settings); });
+      if (!verdict) return tl::make_unexpected(verdict.error());
+      verdict->name = jobs->size() == 1 ? scene.string() : fmt::format("{}, light {}", scene.string(), i + 1);
+      if (!json_) print_text(*verdict, scene, input->settings);
+      verdicts.push_back(std::move(*verdict));
+    }
+    return {};
+  }
+
+  Verdict compare(Context& context, const ProjectionJob& job, const config::Settings& settings) const {
+    sim::RtlOptions options = rtl_options(context, settings, defines_);
+    ProgressLine line(context.show_progress);
+    options.progress = [&](const sim::Progress& p) {
+      line.update("rtl", static_cast<double>(p.words) / static_cast<double>(job.stream.size()));
+    };
+    sim::ModelCache cache = model_cache(context);
+    const auto golden = golden::make_golden_engine(job.config);
+    const auto rtl = sim::make_rtl_engine(job.config, options, cache);
+    const auto start = std::chrono::steady_clock::now();
+    sim::CompareOptions what;
+    what.plane = true;
+    Verdict verdict;
+    verdict.report = sim::compare(*golden, *rtl, job.stream, what, options.seed);
+    verdict.seconds = seconds_since(start);
+    return verdict;
+  }
+
+  void print_text(const Verdict& verdict, const fs::path& scene, const config::Settings& settings) const {
+    std::string text = sim::to_text(verdict.report);
+    text.pop_back();
+    fmt::print("{}: {}", verdict.name, verdict.report.passed() ? "" : "\n");
+    const double rate = static_cast<double>(verdict.report.cycles) / verdict.seconds / 1e6;
+    fmt::print("{} ({} cycles, {:.2f} Mcycles/s)\n", text, verdict.report.cycles, rate);
+    if (verdict.report.passed()) return;
+    fmt::print("reproduce: gnomon verify {} {}{}\n", scene.string(), fmt::join(settings.as_flags(), " "),
+               define_flags());
+  }
+
+  std::string define_flags() const {
+    std::string text;
+    for (const std::string& name : defines_) text += " --define " + name;
+    return text;
+  }
+
+  Result<void> write_junit(const std::vector<Verdict>& verdicts) const {
+    if (junit_.empty()) return {};
+    std::vector<TestCase> cases;
+    for (const Verdict& v : verdicts) {
+      cases.push_back({v.name, v.seconds, v.report.passed() ? "" : sim::to_text(v.report)});
+    }
+    OutputFiles files;
+    Result<void> added = files.add(junit_, [&](const fs::path& temporary) {
+      return write_bytes(temporary, junit_xml("gnomon verify", cases));
+    });
+    return added ? files.commit() : added;
+  }
+
+  static void print_json(const std::vector<Verdict>& verdicts) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Verdict& v : verdicts) {
+      list.push_back({{"scene", v.name}, {"seconds", v.seconds}, {"compare", sim::to_json(v.report)}});
+    }
+    fmt::print("{}\n", list.dump(2));
+  }
+
+  std::vector<fs::path> scenes_;
+  std::vector<std::string> set_, defines_;
+  fs::path junit_;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_verify_command() {
+  return std::make_unique<VerifyCommand>();
+}
+
+}  // namespace gnomon::cli
