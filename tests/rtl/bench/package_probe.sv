@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shows the constants, words and registers of the SystemVerilog sources to a test, which compares them with the C++ codec.
+
+module package_probe #(
+  parameter int unsigned VOXEL_BITS       = 8,
+  parameter int unsigned VOXEL_FRAC_BITS  = 2,
+  parameter int unsigned NORMAL_BITS      = 9,
+  parameter int unsigned MATRIX_FRAC_BITS = 22,
+  parameter int unsigned DEPTH_BITS       = 20
+) (
+  input  logic        clk_i,
+  input  logic        rst_ni,
+  // Constants by number; the test has the same list.
+  input  logic [7:0]  constant_i,
+  output logic [63:0] constant_o,
+  // A header word in fields.
+  input  logic [63:0] header_i,
+  output logic [7:0]  header_op_o,
+  output logic [7:0]  header_flags_o,
+  output logic [15:0] header_count_o,
+  output logic [31:0] header_arg_o,
+  // Result words from fields.
+  input  logic [2:0]  sticky_i,
+  input  logic [31:0] tag_i,
+  output logic [63:0] fence_o,
+  input  logic [23:0] index_i,
+  input  logic        present_i,
+  input  logic [23:0] depth_i,
+  output logic [63:0] plane_entry_o,
+  input  logic [7:0]  error_i,
+  input  logic [31:0] command_index_i,
+  output logic [63:0] error_o,
+  input  logic [1:0]  state_i,
+  input  logic        facing_away_i,
+  input  logic        off_plane_i,
+  input  logic        uncertain_i,
+  input  logic        offset_empty_i,
+  input  logic        beyond_max_i,
+  input  logic [23:0] nearest_i,
+  input  logic [23:0] delta_i,
+  output logic [63:0] voxel_o,
+  // A voxel item in fields, a cycle later.
+  input  logic [63:0] item_i,
+  output logic [31:0] x_o, y_o, z_o,
+  output logic signed [31:0] nx_o, ny_o, nz_o,
+  // Registers: written with a word, read back with their width's sign or zeros in front.
+  input  logic        register_write_i,
+  input  logic [4:0]  register_index_i,
+  input  logic [63:0] register_value_i,
+  output logic [63:0] register_o
+);
+
+  always_comb begin
+    case (constant_i)
+      8'd0:  constant_o = 64'(gnomon_pkg::OP_NOP);
+      8'd1:  constant_o = 64'(gnomon_pkg::OP_SET_REGISTERS);
+      8'd2:  constant_o = 64'(gnomon_pkg::OP_CLEAR_PLANE);
+      8'd3:  constant_o = 64'(gnomon_pkg::OP_FENCE);
+      8'd4:  constant_o = 64'(gnomon_pkg::OP_READ_PLANE);
+      8'd5:  constant_o = 64'(gnomon_pkg::OP_PROJECT_VOXELS);
+      8'd6:  constant_o = 64'(gnomon_pkg::OP_RESOLVE_VOXELS);
+      8'd7:  constant_o = 64'(gnomon_pkg::FENCE_CLEAR_STICKY);
+      8'd8:  constant_o = 64'(gnomon_pkg::RESOLVE_TWO_SIDED);
+      8'd9:  constant_o = 64'(gnomon_pkg::REGISTER_COUNT);
+      8'd10: constant_o = 64'(gnomon_pkg::ERROR_UNKNOWN_OP);
+      8'd11: constant_o = 64'(gnomon_pkg::ERROR_FEATURE_ABSENT);
+      8'd12: constant_o = 64'(gnomon_pkg::ERROR_BAD_REGISTER);
+      8'd13: constant_o = 64'(gnomon_pkg::ERROR_BAD_ARGUMENT);
+      8'd14: constant_o = 64'(gnomon_pkg::ERROR_RESERVED_FLAG);
+      8'd15: constant_o = 64'(gnomon_pkg::STATE_LIT);
+      8'd16: constant_o = 64'(gnomon_pkg::STATE_SHADOW);
+      default: constant_o = '0;
+    endcase
+  end
+
+  gnomon_pkg::header_t header;
+  assign header         = header_i;
+  assign header_op_o    = header.op;
+  assign header_flags_o = header.flags;
+  assign header_count_o = header.count;
+  assign header_arg_o   = header.arg;
+
+  gnomon_pkg::fence_result_t       fence;
+  gnomon_pkg::plane_entry_result_t plane_entry;
+  gnomon_pkg::error_result_t       error;
+  gnomon_pkg::voxel_result_t       voxel;
+  always_comb begin
+    fence                       = '0;
+    fence.code                  = gnomon_pkg::RESULT_FENCE;
+    fence.sticky.error_seen     = sticky_i[0];
+    fence.sticky.off_plane      = sticky_i[1];
+    fence.sticky.depth_saturated = sticky_i[2];
+    fence.tag                   = tag_i;
+    plane_entry         = '0;
+    plane_entry.code    = gnomon_pkg::RESULT_PLANE_ENTRY;
+    plane_entry.index   = index_i;
+    plane_entry.present = present_i;
+    plane_entry.depth   = depth_i;
+    error               = '0;
+    error.code          = gnomon_pkg::RESULT_ERROR;
+    error.error         = error_i;
+    error.command_index = command_index_i;
+    voxel              = '0;
+    voxel.code         = gnomon_pkg::RESULT_VOXEL_STATE;
+    voxel.state        = state_i;
+    voxel.facing_away  = facing_away_i;
+    voxel.off_plane    = off_plane_i;
+    voxel.uncertain    = uncertain_i;
+    voxel.offset_empty = offset_empty_i;
+    voxel.beyond_max   = beyond_max_i;
+    voxel.nearest      = nearest_i;
+    voxel.delta        = delta_i;
+  end
+  assign fence_o       = fence;
+  assign plane_entry_o = plane_entry;
+  assign error_o       = error;
+  assign voxel_o       = voxel;
+
+  localparam int unsigned P = VOXEL_BITS + VOXEL_FRAC_BITS;
+  logic [P-1:0]                  x, y, z;
+  logic signed [NORMAL_BITS-1:0] nx, ny, nz;
+  vpu_unpack #(.POSITION_BITS(P), .NORMAL_BITS(NORMAL_BITS)) u_unpack (
+    .clk_i, .en_i(1'b1), .item_i, .x_o(x), .y_o(y), .z_o(z), .nx_o(nx), .ny_o(ny), .nz_o(nz)
+  );
+  assign x_o  = 32'(x);
+  assign y_o  = 32'(y);
+  assign z_o  = 32'(z);
+  assign nx_o = 32'(nx);
+  assign ny_o = 32'(ny);
+  assign nz_o = 32'(nz);
+
+  logic signed [gnomon_pkg::uv_coefficient_bits(MATRIX_FRAC_BITS)-1:0] ux, uy, uz, vx, vy, vz;
+  logic signed [gnomon_pkg::uv_constant_bits(MATRIX_FRAC_BITS, P)-1:0] u1, v1;
+  logic signed [gnomon_pkg::depth_coefficient_bits(DEPTH_BITS, P)-1:0] dx, dy, dz;
+  logic signed [gnomon_pkg::depth_constant_bits(DEPTH_BITS, P)-1:0]    d1;
+  logic [gnomon_pkg::OFFSET_FACTOR_BITS-1:0]                           offset_factor;
+  logic [gnomon_pkg::SHIFT_BITS-1:0]                                   facing_shift, tilt_shift, delta_shift;
+  logic [gnomon_pkg::MARGIN_BITS-1:0]                                  margin_squared;
+  logic [DEPTH_BITS-1:0]                                               delta_max;
+  vpu_registers #(.POSITION_BITS(P), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS)) u_registers (
+    .clk_i, .rst_ni, .write_i(register_write_i), .index_i(register_index_i), .value_i(register_value_i),
+    .ux_o(ux), .uy_o(uy), .uz_o(uz), .u1_o(u1), .vx_o(vx), .vy_o(vy), .vz_o(vz), .v1_o(v1),
+    .dx_o(dx), .dy_o(dy), .dz_o(dz), .d1_o(d1), .offset_factor_o(offset_factor), .facing_shift_o(facing_shift),
+    .tilt_shift_o(tilt_shift), .delta_shift_o(delta_shift), .margin_squared_o(margin_squared),
+    .delta_max_o(delta_max)
+  );
+  always_comb begin
+    case (register_index_i)
+      gnomon_pkg::REG_MATRIX_UX:      register_o = 64'(ux);
+      gnomon_pkg::REG_MATRIX_UY:      register_o = 64'(uy);
+      gnomon_pkg::REG_MATRIX_UZ:      register_o = 64'(uz);
+      gnomon_pkg::REG_MATRIX_U1:      register_o = 64'(u1);
+      gnomon_pkg::REG_MATRIX_VX:      register_o = 64'(vx);
+      gnomon_pkg::REG_MATRIX_VY:      register_o = 64'(vy);
+      gnomon_pkg::REG_MATRIX_VZ:      register_o = 64'(vz);
+      gnomon_pkg::REG_MATRIX_V1:      register_o = 64'(v1);
+      gnomon_pkg::REG_MATRIX_DX:      register_o = 64'(dx);
+      gnomon_pkg::REG_MATRIX_DY:      register_o = 64'(dy);
+      gnomon_pkg::REG_MATRIX_DZ:      register_o = 64'(dz);
+      gnomon_pkg::REG_MATRIX_D1:      register_o = 64'(d1);
+      gnomon_pkg::REG_OFFSET_FACTOR:  register_o = 64'(offset_factor);
+      gnomon_pkg::REG_FACING_SHIFT:   register_o = 64'(facing_shift);
+      gnomon_pkg::REG_TILT_SHIFT:     register_o = 64'(tilt_shift);
+      gnomon_pkg::REG_DELTA_SHIFT:    register_o = 64'(delta_shift);
+      gnomon_pkg::REG_MARGIN_SQUARED: register_o = 64'(margin_squared);
+      gnomon_pkg::REG_DELTA_MAX:      register_o = 64'(delta_max);
+      default:                        register_o = '0;
+    endcase
+  end
+
+endmodule
