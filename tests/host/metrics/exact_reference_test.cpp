@@ -193,7 +193,7 @@ TEST(ExactReference, RefusesALightWithoutDirection) {
 }
 
 TEST(ExactReference, HalvingTheEdgesChangesNextToNothing) {
-  const auto surfaces = fixtures::surfaces({fixtures::torus({64, 64, 64}, 40, 15, 12, 8)});
+  const auto surfaces = fixtures::surfaces({fixtures::torus({32, 32, 32}, 20, 7, 12, 8)});
   const auto points = random_points(surfaces[0], 20000, 5);
   TessellationOptions finer;
   finer.sag /= 4;
