@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chains of one loop, its winding events and its degenerate cases.
-#include <gnomon/golden/slb/chain_builder.hpp>
-
 #include <algorithm>
+#include <gnomon/golden/slb/chain_builder.hpp>
 #include <utility>
 
 namespace gnomon::golden::slb {
@@ -89,7 +88,8 @@ void ChainBuilder::forget() {
 }
 
 void ChainBuilder::edge(const Vertex& from, const Vertex& to) {
-  if (!first_exit_) area2_ += cross_product(from.x - origin_.x, from.y - origin_.y, to.x - origin_.x, to.y - origin_.y);
+  if (!first_exit_)
+    area2_ += cross_product(from.x - origin_.x, from.y - origin_.y, to.x - origin_.x, to.y - origin_.y);
   EdgeWalker walker(from, to, config_);
   const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
   while (!walker.done()) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Legal combinations, derived widths and presets (docs/slb.md, "Parameters").
-#include <gnomon/golden/slb/config.hpp>
-
 #include <bit>
+#include <gnomon/golden/slb/config.hpp>
 
 namespace gnomon::golden::slb {
 namespace {
@@ -14,7 +13,9 @@ std::optional<std::string> out_of_range(const char* name, int value, int low, in
 }
 
 /// Bits that hold 0..largest.
-int bits_for(int largest) { return static_cast<int>(std::bit_width(static_cast<unsigned>(largest))); }
+int bits_for(int largest) {
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(largest)));
+}
 
 }  // namespace
 
@@ -27,14 +28,20 @@ std::optional<std::string> SlbConfig::check() const {
   if (auto error = out_of_range("SUBPIXEL_BITS", subpixel_bits, frac_bits + 3, 16)) return error;
   if (auto error = out_of_range("QUERY_BITS", query_bits, frac_bits + 3, 16)) return error;
   if (subpixel_bits < slope_bits - frac_bits + 4)
-    return "SUBPIXEL_BITS=" + std::to_string(subpixel_bits) + " is below SLOPE_BITS - FRAC_BITS + 4 = " +
-           std::to_string(slope_bits - frac_bits + 4);
+    return "SUBPIXEL_BITS=" + std::to_string(subpixel_bits) +
+           " is below SLOPE_BITS - FRAC_BITS + 4 = " + std::to_string(slope_bits - frac_bits + 4);
   return std::nullopt;
 }
 
-int SlbConfig::threshold_bits() const { return bits_for(2 * frags - 1); }
-int SlbConfig::count_bits() const { return bits_for(frags); }
-int SlbConfig::fragment_bits() const { return depth_bits + 8 + 2 + 2 * line_bits() + threshold_bits() + 1; }
+int SlbConfig::threshold_bits() const {
+  return bits_for(2 * frags - 1);
+}
+int SlbConfig::count_bits() const {
+  return bits_for(frags);
+}
+int SlbConfig::fragment_bits() const {
+  return depth_bits + 8 + 2 + 2 * line_bits() + threshold_bits() + 1;
+}
 int SlbConfig::entry_bits() const {
   return kGenerationBits + count_bits() + 2 + kCornerBits + depth_bits + frags * fragment_bits();
 }
@@ -50,6 +57,8 @@ SlbConfig slb4() {
   return config;
 }
 
-SlbConfig slb7() { return SlbConfig{}; }
+SlbConfig slb7() {
+  return SlbConfig{};
+}
 
 }  // namespace gnomon::golden::slb

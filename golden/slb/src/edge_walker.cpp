@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // Integer DDA with remainder; no drift at any distance.
-#include <gnomon/golden/slb/edge_walker.hpp>
-
 #include <algorithm>
-#include <stdexcept>
-
+#include <gnomon/golden/slb/edge_walker.hpp>
 #include <gnomon/golden/slb/line_encoder.hpp>
+#include <stdexcept>
 
 namespace gnomon::golden::slb {
 namespace {
 
-std::int64_t magnitude_of(std::int64_t value) { return value < 0 ? -value : value; }
-
-/// value = cell * U + k with 0 <= k < U.
-Position split(std::int64_t value, std::int64_t r, std::int64_t unit) {
-  std::int64_t cell = value / unit, k = value % unit;
-  if (k < 0) {
-    k += unit;
-    --cell;
-  }
-  return {cell, k, r};
+std::int64_t magnitude_of(std::int64_t value) {
+  return value < 0 ? -value : value;
 }
 
-/// base + sign * (q + r / den), floored.
-Position offset(std::int64_t base, bool minus, std::int64_t q, std::int64_t r, std::int64_t den,
-                std::int64_t unit) {
-  if (!minus) return split(base + q, r, unit);
-  return r == 0 ? split(base - q, 0, unit) : split(base - q - 1, den - r, unit);
+/// D0 * start (in sub-pixels) plus or minus q + r / den, floored. q <= U, so that one correction each way is
+/// enough.
+Position offset(std::int64_t start, bool minus, std::int64_t q, std::int64_t r, std::int64_t den,
+                const SlbConfig& config) {
+  const std::int64_t fraction = start & (config.subpixels() - 1);
+  Position position{start >> config.subpixel_bits, config.d0() * fraction, r};
+  if (!minus) {
+    position.k += q;
+  } else {
+    position.k -= r == 0 ? q : q + 1;
+    position.r = r == 0 ? 0 : den - r;
+  }
+  if (position.k < 0) {
+    position.k += config.unit();
+    --position.cell;
+  } else if (position.k >= config.unit()) {
+    position.k -= config.unit();
+    ++position.cell;
+  }
+  return position;
 }
 
 }  // namespace
@@ -78,10 +83,10 @@ EdgeSetup set_up_edge(const Vertex& from, const Vertex& to, const SlbConfig& con
   const std::int64_t rise = config.d0() * magnitude_of(minor_delta);
   const std::int64_t first = rise * distance, whole = rise << s;
   const bool minus = minor_delta < 0;
-  edge.ahead = offset(config.d0() * minor_from, minus, first / edge.den, first % edge.den, edge.den, config.unit());
+  edge.ahead = offset(minor_from, minus, first / edge.den, first % edge.den, edge.den, config);
   edge.slope_q = whole / edge.den;
   edge.slope_r = whole % edge.den;
-  edge.step = offset(0, minus, edge.slope_q, edge.slope_r, edge.den, config.unit());
+  edge.step = offset(0, minus, edge.slope_q, edge.slope_r, edge.den, config);
   return edge;
 }
 
@@ -126,13 +131,14 @@ EdgeWalker::EdgeWalker(const Vertex& from, const Vertex& to, const SlbConfig& co
       end_column_(to.x >> config.subpixel_bits),
       end_row_(to.y >> config.subpixel_bits),
       remaining_(setup_.major_crossings),
-      depth_(from, to, setup_.den,
-             [&] {
-               const std::int64_t major = setup_.y_major ? from.y : from.x;
-               const std::int64_t inside = major & (config.subpixels() - 1);
-               return setup_.forward ? config.subpixels() - inside : inside;
-             }(),
-             config) {}
+      depth_(
+          from, to, setup_.den,
+          [&] {
+            const std::int64_t major = setup_.y_major ? from.y : from.x;
+            const std::int64_t inside = major & (config.subpixels() - 1);
+            return setup_.forward ? config.subpixels() - inside : inside;
+          }(),
+          config) {}
 
 std::int64_t EdgeWalker::cell_of(const Position& position) const {
   return position.cell - (setup_.adjust && position.k == 0 && position.r == 0 ? 1 : 0);
@@ -143,7 +149,9 @@ std::int64_t EdgeWalker::target_cell() const {
   return setup_.y_major ? end_column_ : end_row_;
 }
 
-bool EdgeWalker::done() const { return column_ == end_column_ && row_ == end_row_ && remaining_ == 0; }
+bool EdgeWalker::done() const {
+  return column_ == end_column_ && row_ == end_row_ && remaining_ == 0;
+}
 
 Side EdgeWalker::exit_side() const {
   const std::int64_t cell = setup_.y_major ? column_ : row_;
@@ -159,10 +167,18 @@ Side EdgeWalker::exit_side() const {
 void EdgeWalker::cross() {
   const Side side = exit_side();
   switch (side) {
-    case Side::Bottom: --row_; break;
-    case Side::Right: ++column_; break;
-    case Side::Top: ++row_; break;
-    case Side::Left: --column_; break;
+    case Side::Bottom:
+      --row_;
+      break;
+    case Side::Right:
+      ++column_;
+      break;
+    case Side::Top:
+      ++row_;
+      break;
+    case Side::Left:
+      --column_;
+      break;
   }
   const bool vertical_move = side == Side::Bottom || side == Side::Top;
   if (vertical_move != setup_.y_major) return;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bit layout of lines and entries.
 #include <gnomon/golden/slb/formats.hpp>
-
 #include <stdexcept>
 
 namespace gnomon::golden::slb {
@@ -12,8 +11,7 @@ class BitWriter {
  public:
   explicit BitWriter(int bits) : words_(static_cast<std::size_t>(bits) / 64, 0) {}
   void put(std::uint64_t value, int width) {
-    for (int bit = 0; bit < width; ++bit, ++at_)
-      words_.at(at_ / 64) |= ((value >> bit) & 1) << (at_ % 64);
+    for (int bit = 0; bit < width; ++bit, ++at_) words_.at(at_ / 64) |= ((value >> bit) & 1) << (at_ % 64);
   }
   std::vector<std::uint64_t> words() const { return words_; }
 
@@ -99,8 +97,8 @@ std::vector<std::uint64_t> pack(const Entry& entry, const SlbConfig& config) {
 
 Entry unpack_entry(const std::vector<std::uint64_t>& words, const SlbConfig& config) {
   if (words.size() * 64 != static_cast<std::size_t>(config.stored_entry_bits()))
-    throw std::invalid_argument("an entry has " + std::to_string(config.stored_entry_bits() / 64) + " words, not " +
-                                std::to_string(words.size()));
+    throw std::invalid_argument("an entry has " + std::to_string(config.stored_entry_bits() / 64) +
+                                " words, not " + std::to_string(words.size()));
   BitReader bits(words);
   Entry entry;
   entry.generation = static_cast<std::uint8_t>(bits.take(kGenerationBits));

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Putting chains into entries, and what happens when they do not fit.
-#include <gnomon/golden/slb/fragment_store.hpp>
-
 #include <algorithm>
-
+#include <gnomon/golden/slb/fragment_store.hpp>
 #include <gnomon/golden/slb/query.hpp>
 
 namespace gnomon::golden::slb {
@@ -31,7 +29,9 @@ void remove(Entry& entry, int first, int last) {
 
 }  // namespace
 
-FragmentStore::FragmentStore(const SlbConfig& config) : config_(config) { reset(); }
+FragmentStore::FragmentStore(const SlbConfig& config) : config_(config) {
+  reset();
+}
 
 void FragmentStore::reset() {
   const auto side = static_cast<std::size_t>(config_.side());
@@ -48,7 +48,8 @@ void FragmentStore::clear() {
 }
 
 std::size_t FragmentStore::index(int column, int row) const {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(config_.side()) + static_cast<std::size_t>(column);
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(config_.side()) +
+         static_cast<std::size_t>(column);
 }
 
 Entry FragmentStore::load(std::size_t index) const {
@@ -104,7 +105,8 @@ FragmentStore::Insertion FragmentStore::insert(const Chain& chain, std::uint8_t 
   if (first) entry.corner = 0;
   Line single = chain.a;
   bool holds_corner = chain.holds_corner;
-  const bool room = entry.count < config_.frags || (!entry.open && make_room(entry, chain.depth, result.evicted));
+  const bool room =
+      entry.count < config_.frags || (!entry.open && make_room(entry, chain.depth, result.evicted));
   Fragment* free_slot = entry.open ? half_used(entry) : nullptr;
   if (chain.op != FragmentOp::One && !room && free_slot != nullptr) {
     // Of a corner that does not fit, keep the line that agrees with it at the pixel's centre.

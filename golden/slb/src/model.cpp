@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wires walker, store, winding and query together, and counts.
 #include <gnomon/golden/slb/model.hpp>
-
 #include <stdexcept>
 #include <string>
 
@@ -52,18 +51,21 @@ void SlbModel::begin_object(std::uint8_t object, bool flat, std::uint32_t depth)
   ++counters_.objects;
 }
 
-void SlbModel::vertex(const Vertex& vertex) {
-  require(state_ == State::Object || state_ == State::Loop, "a vertex outside an object's loops");
+void SlbModel::enter_loop() {
+  require(state_ == State::Object || state_ == State::Loop, "a loop outside an object's loops");
   state_ = State::Loop;
   has_loops_ = true;
+}
+
+void SlbModel::vertex(const Vertex& vertex) {
+  enter_loop();
   ++counters_.vertices;
   builder_.vertex(flat_ ? Vertex{vertex.x, vertex.y, depth_} : vertex);
 }
 
 void SlbModel::close_loop() {
-  require(state_ == State::Object || state_ == State::Loop, "the end of a loop that was not begun");
+  enter_loop();
   state_ = State::Object;
-  has_loops_ = true;
   const LoopSummary summary = builder_.close();
   ++counters_.loops;
   counters_.loops_short += summary.too_short ? 1 : 0;
@@ -135,7 +137,8 @@ void SlbModel::cover(const CoverSample& sample, std::uint32_t margin) {
 }
 
 void SlbModel::end_object() {
-  require(state_ == State::Filled || (state_ == State::Object && !has_loops_), "the end of an object without its fill");
+  require(state_ == State::Filled || (state_ == State::Object && !has_loops_),
+          "the end of an object without its fill");
   state_ = State::Idle;
 }
 
@@ -152,7 +155,8 @@ QueryAnswer SlbModel::query(const QueryPoint& point, std::uint32_t bias) {
   }
   const std::int64_t mask = (std::int64_t{1} << q) - 1;
   const PixelPoint inside{2 * (point.x & mask) + 1, 2 * (point.y & mask) + 1, q + 1};
-  result = answer(store_.read(static_cast<int>(column), static_cast<int>(row)), inside, point.depth, bias, config_);
+  result = answer(store_.read(static_cast<int>(column), static_cast<int>(row)), inside, point.depth, bias,
+                  config_);
   counters_.queries_shadow += result.shadow ? 1 : 0;
   counters_.queries_overflow += result.overflow ? 1 : 0;
   return result;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The signs that decide a query; all products, no division.
-#include <gnomon/golden/slb/query.hpp>
-
 #include <algorithm>
+#include <gnomon/golden/slb/line_encoder.hpp>
+#include <gnomon/golden/slb/query.hpp>
 
 namespace gnomon::golden::slb {
 
@@ -13,13 +13,15 @@ bool inside(const Line& line, const PixelPoint& point, const SlbConfig& config) 
   const bool mirrored = config.rounding == Rounding::Published && line.xsign;
   const std::int64_t frac = mirrored ? config.d0() - line.frac : line.frac;
   const std::int64_t along = major - (line.cross ? one : 0);
-  const std::int64_t rise = line.slope * config.d0() * along;
+  const std::int64_t twice_frac = 2 * frac + (reads_halfway(line, config) ? 1 : 0);
+  const std::int64_t rise = 2 * line.slope * config.d0() * along;
   const std::int64_t value =
-      (minor * config.d0() - frac * one) * config.d1() - (line.xsign ? -rise : rise);
+      (2 * minor * config.d0() - twice_frac * one) * config.d1() - (line.xsign ? -rise : rise);
   return line.inner ? value >= 0 : value <= 0;
 }
 
-bool chain_contains(FragmentOp op, const Line& a, const Line& b, const PixelPoint& point, const SlbConfig& config) {
+bool chain_contains(FragmentOp op, const Line& a, const Line& b, const PixelPoint& point,
+                    const SlbConfig& config) {
   const bool in_a = inside(a, point, config);
   if (op == FragmentOp::And) return in_a && inside(b, point, config);
   if (op == FragmentOp::Or) return in_a || inside(b, point, config);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Winding numbers by summing crossings from the left.
-#include <gnomon/golden/slb/winding.hpp>
-
 #include <algorithm>
-
 #include <gnomon/golden/slb/formats.hpp>
+#include <gnomon/golden/slb/winding.hpp>
 
 namespace gnomon::golden::slb {
 
-Winding::Winding(const SlbConfig& config) : side_(config.side()), first_(side_), last_(-1) { reset(); }
+Winding::Winding(const SlbConfig& config) : side_(config.side()), first_(side_), last_(-1) {
+  reset();
+}
 
 void Winding::reset() {
   const auto rows = static_cast<std::size_t>(side_);
@@ -37,7 +37,8 @@ bool Winding::crossing(std::int64_t column, std::int64_t row, bool upwards) {
   if (row < 0 || row >= side_ || column >= side_) return true;
   const int y = static_cast<int>(row);
   touch(y);
-  std::int8_t& sum = column < 0 ? carry_[static_cast<std::size_t>(y)] : change_[index(static_cast<int>(column), y)];
+  std::int8_t& sum =
+      column < 0 ? carry_[static_cast<std::size_t>(y)] : change_[index(static_cast<int>(column), y)];
   const int next = sum + (upwards ? -1 : 1);
   if (next < kWindingMin || next > kWindingMax) return false;
   sum = static_cast<std::int8_t>(next);
@@ -67,7 +68,9 @@ Winding::Row Winding::take_row(int row) {
   return result;
 }
 
-void Winding::set_result(int column, int row, Result result) { results_[index(column, row)] = result; }
+void Winding::set_result(int column, int row, Result result) {
+  results_[index(column, row)] = result;
+}
 
 Winding::Result Winding::result(int column, int row) const {
   // Rows that this object did not touch hold an earlier one's results.

@@ -4,9 +4,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
-
 #include <gnomon/golden/slb/edge_walker.hpp>
+#include <optional>
 
 namespace gnomon::golden::slb {
 
@@ -17,17 +16,17 @@ struct Chain {
   Line a, b;                        ///< b only with And and Or
   bool holds_corner = false;        ///< the chain's inner side contains the pixel's lower left corner
   std::uint32_t depth = 0;
-  int vertices = 0;                 ///< corners of the loop in it, 2 for two or more
+  int vertices = 0;  ///< corners of the loop in it, 2 for two or more
 };
 
 /// What one loop came to.
 struct LoopSummary {
-  std::uint64_t vertices = 0;   ///< without repeats
-  std::uint64_t repeated = 0;   ///< vertices equal to their predecessor
+  std::uint64_t vertices = 0;  ///< without repeats
+  std::uint64_t repeated = 0;  ///< vertices equal to their predecessor
   std::uint64_t crossings = 0;
-  bool too_short = false;       ///< fewer than three vertices: not walked
-  bool tiny = false;            ///< never left its first pixel: casts nothing
-  std::uint64_t tiny_area2 = 0; ///< twice its area in square sub-pixels
+  bool too_short = false;        ///< fewer than three vertices: not walked
+  bool tiny = false;             ///< never left its first pixel: casts nothing
+  std::uint64_t tiny_area2 = 0;  ///< twice its area in square sub-pixels
 };
 
 class ChainBuilder {

@@ -38,17 +38,17 @@ struct SlbConfig {
   std::int64_t d1() const { return (std::int64_t{1} << slope_bits) - 1; }  ///< D1 = 2^S - 1
   /// U: what a whole pixel measures in the walker's crossing positions.
   std::int64_t unit() const { return d0() << subpixel_bits; }
-  int side() const { return 1 << plane_log2; }                             ///< pixels
+  int side() const { return 1 << plane_log2; }  ///< pixels
   std::int64_t subpixels() const { return std::int64_t{1} << subpixel_bits; }
-  int vertex_width() const { return plane_log2 + 2 + subpixel_bits; }      ///< bits of a vertex coordinate
-  int query_width() const { return plane_log2 + 2 + query_bits; }          ///< bits of a query coordinate
+  int vertex_width() const { return plane_log2 + 2 + subpixel_bits; }  ///< bits of a vertex coordinate
+  int query_width() const { return plane_log2 + 2 + query_bits; }      ///< bits of a query coordinate
   std::uint32_t no_depth() const { return (std::uint32_t{1} << depth_bits) - 1; }
 
   int line_bits() const { return 4 + frac_bits + slope_bits; }
   int threshold_bits() const;  ///< of T - 1
   int count_bits() const;      ///< of the number of fragments
   int fragment_bits() const;
-  int entry_bits() const;      ///< as laid out, before rounding up to a power of two
+  int entry_bits() const;         ///< as laid out, before rounding up to a power of two
   int stored_entry_bits() const;  ///< the next power of two, at least 64
 };
 

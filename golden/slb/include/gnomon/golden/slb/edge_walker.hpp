@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <gnomon/golden/slb/formats.hpp>
 
 namespace gnomon::golden::slb {
@@ -17,13 +16,13 @@ struct Position {
 /// Quotients of one edge, floor division with remainder.
 struct EdgeSetup {
   bool y_major = false;
-  bool forward = false;       ///< the major coordinate grows along the edge
-  bool negative = false;      ///< minor and major coordinate run in opposite senses
-  bool adjust = false;        ///< an exact integer belongs to the cell below (x-major, positive slope)
-  std::int64_t den = 1;       ///< |major difference|, sub-pixels
+  bool forward = false;   ///< the major coordinate grows along the edge
+  bool negative = false;  ///< minor and major coordinate run in opposite senses
+  bool adjust = false;    ///< an exact integer belongs to the cell below (x-major, positive slope)
+  std::int64_t den = 1;   ///< |major difference|, sub-pixels
   std::int64_t major_crossings = 0;
-  Position ahead;             ///< at the first major border in walking direction
-  Position step;              ///< from one major border to the next in walking direction
+  Position ahead;                         ///< at the first major border in walking direction
+  Position step;                          ///< from one major border to the next in walking direction
   std::int64_t slope_q = 0, slope_r = 0;  ///< magnitude of the step, in 1/U pixels
 };
 /// `from` and `to` must differ.

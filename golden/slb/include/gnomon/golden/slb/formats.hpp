@@ -4,13 +4,13 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
-
 #include <gnomon/golden/slb/config.hpp>
+#include <vector>
 
 namespace gnomon::golden::slb {
 
-/// A corner of an outline, in 2^-SUBPIXEL_BITS pixels from the plane's lower left corner, with its depth code.
+/// A corner of an outline, in 2^-SUBPIXEL_BITS pixels from the plane's lower left corner, with its depth
+/// code.
 struct Vertex {
   std::int64_t x = 0, y = 0;
   std::uint32_t depth = 0;
@@ -30,7 +30,9 @@ struct Line {
 
 /// Sides of a pixel, counter-clockwise from its lower left corner.
 enum class Side : std::uint8_t { Bottom = 0, Right = 1, Top = 2, Left = 3 };
-constexpr Side opposite(Side side) { return static_cast<Side>((static_cast<unsigned>(side) + 2) % 4); }
+constexpr Side opposite(Side side) {
+  return static_cast<Side>((static_cast<unsigned>(side) + 2) % 4);
+}
 
 /// What the lines of a fragment mean.
 enum class FragmentOp : std::uint8_t {
@@ -53,15 +55,15 @@ struct Fragment {
 };
 
 inline constexpr int kMaxFragments = 4;
-inline constexpr int kCornerMin = -32, kCornerMax = 31;    ///< r saturates: 6 bits
+inline constexpr int kCornerMin = -32, kCornerMax = 31;      ///< r saturates: 6 bits
 inline constexpr int kWindingMin = -127, kWindingMax = 127;  ///< dw and carry-in saturate: 8 bits
 
 struct Entry {
   std::uint8_t generation = 0;  ///< 0 is never valid
   std::uint8_t count = 0;
-  bool overflow = false;        ///< a line or an object did not fit
-  bool open = false;            ///< the last group belongs to the object being drawn
-  std::int8_t corner = 0;       ///< r of the object being drawn
+  bool overflow = false;   ///< a line or an object did not fit
+  bool open = false;       ///< the last group belongs to the object being drawn
+  std::int8_t corner = 0;  ///< r of the object being drawn
   std::uint32_t full_depth = 0;
   std::array<Fragment, kMaxFragments> fragments{};
   bool operator==(const Entry&) const = default;
@@ -76,7 +78,8 @@ struct Entry {
 std::uint32_t pack(const Line& line, const SlbConfig& config);
 Line unpack_line(std::uint32_t bits, const SlbConfig& config);
 
-/// An entry as stored_entry_bits() / 64 words, lowest first (docs/slb.md, "Entry"); `generation` is packed as 0.
+/// An entry as stored_entry_bits() / 64 words, lowest first (docs/slb.md, "Entry"); `generation` is packed as
+/// 0.
 std::vector<std::uint64_t> pack(const Entry& entry, const SlbConfig& config);
 Entry unpack_entry(const std::vector<std::uint64_t>& words, const SlbConfig& config);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plane: entries with generation tags, chains put into them, groups finished by FILL (docs/slb.md, "Store").
+// The plane: entries with generation tags, chains put into them, groups finished by FILL (docs/slb.md,
+// "Store").
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <gnomon/golden/slb/chain_builder.hpp>
+#include <vector>
 
 namespace gnomon::golden::slb {
 
@@ -23,9 +23,9 @@ class FragmentStore {
 
   /// What became of a chain.
   struct Insertion {
-    bool dropped = false;   ///< the chain is not in the entry; its answer at the pixel's centre counts
-    bool reduced = false;   ///< only the first line of its corner is
-    bool evicted = false;   ///< a finished group had to go
+    bool dropped = false;  ///< the chain is not in the entry; its answer at the pixel's centre counts
+    bool reduced = false;  ///< only the first line of its corner is
+    bool evicted = false;  ///< a finished group had to go
   };
   /// `first`: the object's first chain in this pixel.
   Insertion insert(const Chain& chain, std::uint8_t object, bool first);

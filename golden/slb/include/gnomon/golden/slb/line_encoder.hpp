@@ -10,4 +10,8 @@ namespace gnomon::golden::slb {
 Line encode_line(const EdgeSetup& edge, const Position& low, const Position& high, std::int64_t cell,
                  const SlbConfig& config);
 
+/// The stored crossing lies halfway between two codes: F = S, and the line could have stored its crossing of
+/// M = 0 as well, so that cross = 1 is free to mean this.
+bool reads_halfway(const Line& line, const SlbConfig& config);
+
 }  // namespace gnomon::golden::slb

@@ -3,41 +3,40 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
-
 #include <gnomon/golden/slb/chain_builder.hpp>
 #include <gnomon/golden/slb/fragment_store.hpp>
 #include <gnomon/golden/slb/query.hpp>
 #include <gnomon/golden/slb/winding.hpp>
+#include <optional>
+#include <span>
 
 namespace gnomon::golden::slb {
 
 /// Event counters; the same on every engine (docs/slb.md, "Counters").
 struct SlbCounters {
   std::uint64_t objects = 0;
-  std::uint64_t loops = 0;              ///< closed, of any kind
-  std::uint64_t loops_short = 0;        ///< fewer than three vertices: ignored
-  std::uint64_t loops_tiny = 0;         ///< inside one pixel: cast nothing
-  std::uint64_t tiny_area2 = 0;         ///< twice their area, square sub-pixels
-  std::uint64_t vertices = 0;           ///< items taken
+  std::uint64_t loops = 0;        ///< closed, of any kind
+  std::uint64_t loops_short = 0;  ///< fewer than three vertices: ignored
+  std::uint64_t loops_tiny = 0;   ///< inside one pixel: cast nothing
+  std::uint64_t tiny_area2 = 0;   ///< twice their area, square sub-pixels
+  std::uint64_t vertices = 0;     ///< items taken
   std::uint64_t vertices_repeated = 0;
-  std::uint64_t crossings = 0;          ///< pixel borders crossed, on the plane or off it
-  std::uint64_t chains = 0;             ///< handed to the store
+  std::uint64_t crossings = 0;  ///< pixel borders crossed, on the plane or off it
+  std::uint64_t chains = 0;     ///< handed to the store
   std::uint64_t chains_off_plane = 0;
   std::uint64_t chains_dropped = 0;
   std::uint64_t chains_reduced = 0;
   std::uint64_t groups_evicted = 0;
   std::uint64_t winding_saturated = 0;
-  std::uint64_t fill_pixels = 0;        ///< of the rows swept
-  std::uint64_t fill_groups = 0;        ///< pixels with lines among them
-  std::uint64_t fill_covered = 0;       ///< pixels that the object wholly covers
-  std::uint64_t covers = 0;             ///< items of COVER
-  std::uint64_t covers_used = 0;        ///< those that count as a full cover
+  std::uint64_t fill_pixels = 0;   ///< of the rows swept
+  std::uint64_t fill_groups = 0;   ///< pixels with lines among them
+  std::uint64_t fill_covered = 0;  ///< pixels that the object wholly covers
+  std::uint64_t covers = 0;        ///< items of COVER
+  std::uint64_t covers_used = 0;   ///< those that count as a full cover
   std::uint64_t queries = 0;
   std::uint64_t queries_shadow = 0;
   std::uint64_t queries_off_plane = 0;
-  std::uint64_t queries_overflow = 0;   ///< answered by an entry where something did not fit
+  std::uint64_t queries_overflow = 0;  ///< answered by an entry where something did not fit
   bool operator==(const SlbCounters&) const = default;
 };
 
@@ -49,7 +48,7 @@ struct SlbSticky {
   bool operator==(const SlbSticky&) const = default;
 };
 
-/// A silhouette sample for COVER: plane pixel, depth, and whether its surface faces the light.
+/// A sample of a surface for COVER: plane pixel, depth, and whether its surface faces the light.
 struct CoverSample {
   std::int64_t column = 0, row = 0;
   std::uint32_t depth = 0;
@@ -72,6 +71,8 @@ class SlbModel {
 
   /// A flat caster has `depth` everywhere; otherwise each vertex brings its own.
   void begin_object(std::uint8_t object, bool flat, std::uint32_t depth);
+  /// A loop begins or goes on; `vertex` does this too.
+  void enter_loop();
   void vertex(const Vertex& vertex);
   void close_loop();
   /// A whole loop.
@@ -86,7 +87,7 @@ class SlbModel {
 
   enum class State : std::uint8_t { Idle, Object, Loop, Filled };
   State state() const { return state_; }
-  /// The object open now has had a loop since its last fill.
+  /// The object open now has had a loop.
   bool has_loops() const { return has_loops_; }
 
   Entry entry(int column, int row) const { return store_.read(column, row); }

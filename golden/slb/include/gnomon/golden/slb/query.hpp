@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <gnomon/golden/slb/formats.hpp>
 
 namespace gnomon::golden::slb {
@@ -19,7 +18,8 @@ bool inside(const Line& line, const PixelPoint& point, const SlbConfig& config);
 /// How many of the fragment's chains contain the point.
 int chains_containing(const Fragment& fragment, const PixelPoint& point, const SlbConfig& config);
 /// A single chain as the store would keep it.
-bool chain_contains(FragmentOp op, const Line& a, const Line& b, const PixelPoint& point, const SlbConfig& config);
+bool chain_contains(FragmentOp op, const Line& a, const Line& b, const PixelPoint& point,
+                    const SlbConfig& config);
 
 /// A receiver: position in 2^-QUERY_BITS pixels, read at + 1/2; depth code.
 struct QueryPoint {
@@ -29,12 +29,12 @@ struct QueryPoint {
 
 struct QueryAnswer {
   bool shadow = false;
-  bool by_full = false;       ///< the full depth alone decides for shadow
+  bool by_full = false;  ///< the full depth alone decides for shadow
   bool has_fragment = false;
   bool overflow = false;
   bool off_plane = false;
-  bool by_lines = false;      ///< a group of fragments covers the point and is nearer
-  std::uint8_t object = 0;    ///< of the first such group; 0 if none
+  bool by_lines = false;    ///< a group of fragments covers the point and is nearer
+  std::uint8_t object = 0;  ///< of the first such group; 0 if none
   bool operator==(const QueryAnswer&) const = default;
 };
 

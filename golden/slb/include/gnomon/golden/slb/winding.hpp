@@ -3,9 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <gnomon/golden/slb/config.hpp>
+#include <vector>
 
 namespace gnomon::golden::slb {
 
