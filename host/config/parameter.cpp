@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "host/config/nearest.hpp"
 
@@ -47,14 +46,15 @@ std::vector<Parameter> make_parameters() {
       choice("technique", {"voxel-offset"}, "how shadows are decided"),
       integer_of("plane", 0, {"0", "16", "32", "64", "128", "256", "512", "1024", "2048", "4096"}, "entries",
                  "side of the projection plane; 0: the smallest that holds the scene"),
-      number("pitch", 1, 0.25, 16, "voxels/entry", "voxels per plane entry"),
-      number("offset", std::numbers::sqrt2, 0, 8, "voxels",
-             "how far an uncertain voxel moves along its normal"),
-      number("margin", 0.5, 0, 8, "voxels",
+      number("pitch", 1.4, 0.25, 16, "voxels/entry", "voxels per plane entry"),
+      number("offset", 0.7, 0, 8, "voxels", "how far an uncertain voxel moves along its normal"),
+      number("margin", 1.5, 0, 8, "voxels",
              "slope-scaled margin of the offset test, per unit of tan(normal, light)"),
       number("margin_tan_max", 10, 0, 100, "", "the tangent at which the margin stops growing"),
       integer("depth_bits", 20, 8, 24, "bits", "width of a depth in the plane"),
-      integer("voxel_frac_bits", 2, 0, 6, "bits", "fraction bits of a voxel's surface point, per axis"),
+      integer("voxel_frac_bits", -1, -1, 6, "bits",
+              "fraction bits of a voxel's surface point, per axis; -1: as many as the voxel word leaves, at "
+              "most 4"),
       integer_of("normal_bits", 0, {"0", "4", "5", "6", "7", "8", "9", "10", "11", "12"}, "bits",
                  "width of a normal's component; 0: as many as the voxel word leaves, at most 9"),
       integer("matrix_frac_bits", 22, 12, 28, "bits", "fraction bits of the projection matrix"),

@@ -5,17 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "host/plan/representative.hpp"
 #include "host/plan/vpu_plan.hpp"
 
 namespace gnomon::plan {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
-
-Vec3 position(const voxel::Voxel& voxel) {
-  return {voxel.x + double{voxel.point[0]}, voxel.y + double{voxel.point[1]},
-          voxel.z + double{voxel.point[2]}};
-}
+/// Normals are stored in single precision: a cosine below this says nothing about the side that faces the
+/// light.
+constexpr double kGrazing = 1e-6;
 
 Vec3 normal(const voxel::Voxel& voxel) {
   return {double{voxel.normal[0]}, double{voxel.normal[1]}, double{voxel.normal[2]}};
@@ -59,17 +58,17 @@ std::vector<golden::VoxelState> offset_states_double(const VpuPlan& plan, const 
   const Projection& projection = plan.projection;
   const Vec3 beam = projection.d / projection.codes_per_voxel;
   DepthPlane plane(projection);
-  for (const auto& voxel : voxels.voxels) plane.project(position(voxel));
+  for (const auto& voxel : voxels.voxels) plane.project(representative(voxel));
 
   const auto state = [&](const voxel::Voxel& voxel) {
-    const Vec3 a = position(voxel);
+    const Vec3 a = representative(voxel);
     Vec3 n = normal(voxel);
     double cosine = -n.dot(beam);
     if (two_sided[voxel.object] && cosine < 0) {
       n = -n;
       cosine = -cosine;
     }
-    if (cosine <= 0) return golden::VoxelState::Shadow;
+    if (cosine <= kGrazing) return golden::VoxelState::Shadow;
     if (!(plane.nearest(a) < projection.depth(a))) return golden::VoxelState::Lit;
     const Vec3 moved = a + n * plan.settings.offset_factor;
     const double delta = projection.depth(moved) - plane.nearest(moved);  // -infinity where empty

@@ -9,10 +9,13 @@
 #include <cmath>
 #include <limits>
 
+#include "host/plan/representative.hpp"
+
 namespace gnomon::plan {
 namespace {
 
 constexpr int kAxisBits = 21;          // position and normal bits an axis: three axes fill a 64-bit word
+constexpr int kUsualFracBits = 4;      // more buys nothing at 256^3 (docs/planning.md)
 constexpr int kUsualNormalBits = 9;    // more buys nothing at 256^3 (docs/planning.md)
 constexpr double kMinDepthRange = 16;  // voxels; keeps depth coefficients inside their register width
 constexpr int kOffsetFracBits = 16;
@@ -35,11 +38,6 @@ struct Interval {
   }
   double size() const { return hi - lo; }
 };
-
-Vec3 representative(const voxel::Voxel& voxel) {
-  return {voxel.x + double{voxel.point[0]}, voxel.y + double{voxel.point[1]},
-          voxel.z + double{voxel.point[2]}};
-}
 
 /// Plane axes: u along the grid axis that lies best in the plane, so that an axis-parallel light sees the
 /// voxel columns.
@@ -190,7 +188,10 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const
 
   auto& config = plan.config;
   config.voxel_bits = std::max(4, static_cast<int>(std::bit_width(voxels.grid.res - 1)));
-  config.voxel_frac_bits = settings.voxel_frac_bits;
+  const int left =
+      kAxisBits - config.voxel_bits - (settings.normal_bits > 0 ? settings.normal_bits : kUsualNormalBits);
+  config.voxel_frac_bits =
+      settings.voxel_frac_bits >= 0 ? settings.voxel_frac_bits : std::clamp(left, 0, kUsualFracBits);
   config.normal_bits = settings.normal_bits > 0
                            ? settings.normal_bits
                            : std::min(kUsualNormalBits, kAxisBits - config.position_bits());
@@ -199,6 +200,7 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const
   config.plane_log2 = plane_log2;
   plan.settings.plane_log2 = plane_log2;
   plan.settings.normal_bits = config.normal_bits;
+  plan.settings.voxel_frac_bits = config.voxel_frac_bits;
   if (const auto wrong = config.check()) return fail(*wrong);
 
   plan.projection = make_projection(frame, extent, pitch, config.plane_side(), config.depth_bits, reach);

@@ -16,13 +16,13 @@ namespace gnomon::plan {
 
 /// What the user may choose about the VPU; the rest follows from the scene.
 struct VpuSettings {
-  double pitch = 1.0;                         ///< voxels per plane entry
-  double offset_factor = 1.4142135623730951;  ///< voxels that an uncertain voxel moves along its normal
-  double margin = 0.5;                        ///< slope-scaled margin, voxels per unit of tan(N, L)
-  double margin_tan_max = 10;                 ///< where the margin stops growing
-  int plane_log2 = 0;  ///< log2 of the plane's side; 0: the smallest that holds the scene
-  int voxel_frac_bits = 2;
-  int normal_bits = 0;  ///< 0: as many as the voxel word leaves, at most 9
+  double pitch = 1.4;          ///< voxels per plane entry
+  double offset_factor = 0.7;  ///< voxels that an uncertain voxel moves along its normal
+  double margin = 1.5;         ///< slope-scaled margin, voxels per unit of tan(N, L)
+  double margin_tan_max = 10;  ///< where the margin stops growing
+  int plane_log2 = 0;          ///< log2 of the plane's side; 0: the smallest that holds the scene
+  int voxel_frac_bits = -1;    ///< -1: as many as the voxel word leaves, at most 4
+  int normal_bits = 0;         ///< 0: as many as the voxel word leaves, at most 9
   int matrix_frac_bits = 22;
   int depth_bits = 20;
 };

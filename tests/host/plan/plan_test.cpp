@@ -3,8 +3,9 @@
 // refused by name.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
-#include <set>
+#include <utility>
 
 #include "host/plan/vpu_plan.hpp"
 #include "tests/host/plan/analytic_voxels.hpp"
@@ -98,7 +99,9 @@ TEST(PlanVpu, VoxelsAndTheirOffsetPointsLandOnThePlane) {
 }
 
 TEST(PlanVpu, AxisParallelLightSeesVoxelColumnsAsEntries) {
-  const auto plan = plan_vpu(scene(), {0, 0, -1}, {});
+  VpuSettings settings;
+  settings.pitch = 1;
+  const auto plan = plan_vpu(scene(), {0, 0, -1}, settings);
   ASSERT_TRUE(plan);
   for (const auto& row : {plan->projection.u, plan->projection.v})
     EXPECT_NEAR(std::abs(row.x) + std::abs(row.y) + std::abs(row.z), 1, 1e-15);
@@ -107,10 +110,26 @@ TEST(PlanVpu, AxisParallelLightSeesVoxelColumnsAsEntries) {
 }
 
 TEST(PlanVpu, AutomaticPlaneIsTheSmallestThatHolds) {
-  const auto plan = plan_vpu(scene(), {0, 0, -1}, {});
-  ASSERT_TRUE(plan);
-  EXPECT_EQ(plan->config.plane_log2,
-            7);  // 64 voxels and the reach of the offset points need more than 64 entries
+  // 64 voxels and the reach of the offset points.
+  for (const auto& [pitch, log2] : {std::pair{1.0, 7}, std::pair{1.4, 6}, std::pair{0.5, 8}}) {
+    VpuSettings settings;
+    settings.pitch = pitch;
+    const auto plan = plan_vpu(scene(), {0, 0, -1}, settings);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->config.plane_log2, log2) << pitch;
+  }
+}
+
+TEST(PlanVpu, AutomaticWidthsFillTheVoxelWord) {
+  for (const auto& [res, frac, normal] : {std::array{64, 4, 9}, std::array{256, 4, 9}, std::array{512, 3, 9},
+                                          std::array{1024, 2, 9}, std::array{2048, 1, 9}}) {
+    auto set = scene();
+    set.grid.res = static_cast<std::uint32_t>(res);
+    const auto plan = plan_vpu(set, {0, 0, -1}, {});
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->config.voxel_frac_bits, frac) << res;
+    EXPECT_EQ(plan->config.normal_bits, normal) << res;
+  }
 }
 
 TEST(PlanVpu, PlaneTooSmallForThePitchGetsLargerEntries) {
