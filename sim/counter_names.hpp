@@ -24,7 +24,6 @@ inline constexpr std::array<std::string_view, 6> kPassNames{"IDLE",    "CONTROL"
                                                             "PROJECT", "RESOLVE", "READ"};
 inline constexpr std::array<std::string_view, 6> kCauseNames{"BUSY",        "INPUT_STARVED", "OUTPUT_BLOCKED",
                                                              "MEMORY_WAIT", "HAZARD",        "IDLE"};
-inline constexpr std::uint32_t kInputStarvedCause = 1;
 
 /// Key of golden::Counters::cycles.
 inline std::string cycle_counter_name(std::size_t pass, std::size_t cause) {

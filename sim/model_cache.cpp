@@ -61,19 +61,24 @@ Arguments include_flags(const Toolchain& tools) {
   return {"-I.", "-I" + include, "-I" + include + "/vltstd"};
 }
 
-/// The first line that says what went wrong, as "file:line:column: message" with `folder` left out.
+/// "file:line:column: message" of the first complaint, with `folder` left out. What the RTL says itself
+/// ($error) comes before what Verilator finds because of it.
 std::string first_error(const fs::path& log, const fs::path& folder) {
   std::istringstream lines(read_file(log));
-  std::string line;
+  std::string first, line;
   while (std::getline(lines, line)) {
-    const bool verilator = line.starts_with("%Error") || line.starts_with("%Warning");  // warnings are fatal
-    if (!verilator && line.find(" error: ") == std::string::npos) continue;
-    if (verilator) line.erase(0, std::min(line.size(), line.find(": ") + 2));
-    const std::string prefix = folder.string() + "/";
-    if (const auto at = line.find(prefix); at != std::string::npos) line.erase(at, prefix.size());
-    return line;
+    const bool by_rtl = line.find("-USERERROR: ") != std::string::npos;
+    const bool complaint = line.starts_with("%Error") ||
+                           line.starts_with("%Warning") ||  // warnings are fatal
+                           line.find(" error: ") != std::string::npos;
+    if (by_rtl || (complaint && first.empty())) first = line;
+    if (by_rtl) break;
   }
-  return "no error message";
+  if (first.empty()) return "no error message";
+  if (first.starts_with("%")) first.erase(0, first.find(": ") + 2);
+  const std::string prefix = folder.string() + "/";
+  if (const auto at = first.find(prefix); at != std::string::npos) first.erase(at, prefix.size());
+  return first;
 }
 
 /// One translation unit out of many, so that a cycle's functions are optimised together.

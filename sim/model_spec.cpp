@@ -34,6 +34,8 @@ std::string describe(const golden::HardwareConfig& config) {
 
 std::string describe(const ModelSpec& spec) {
   std::string text = describe(spec.config);
+  if (spec.memory_latency != 1) text += fmt::format(" MEM_LATENCY={}", spec.memory_latency);
+  if (spec.memory_stall_seed != 0) text += fmt::format(" MEM_STALL_SEED={}", spec.memory_stall_seed);
   for (const std::string& define : spec.defines) text += " " + define;
   if (spec.trace) text += " (with waveforms)";
   if (spec.coverage) text += " (with coverage)";
@@ -52,6 +54,8 @@ std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
     const bool one_bit = std::string_view(name).starts_with("EN_");
     arguments.push_back(fmt::format("-G{}={}{}", name, one_bit ? "1'b" : "", value));
   }
+  arguments.push_back(fmt::format("-GMEM_LATENCY={}", spec.memory_latency));
+  arguments.push_back(fmt::format("-GMEM_STALL_SEED={}", spec.memory_stall_seed));
   for (const std::string& define : spec.defines) arguments.push_back("+define+" + define);
   if (spec.trace) arguments.insert(arguments.end(), {"--trace-fst", "--trace-structs"});
   if (spec.coverage) {  // Verilator offers only one of coverage and saving

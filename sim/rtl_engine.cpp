@@ -4,6 +4,7 @@
 #include "sim/rtl_engine.hpp"
 
 #include <algorithm>
+#include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/command.hpp>
 #include <utility>
 
@@ -14,8 +15,6 @@ namespace gnomon::sim {
 namespace {
 
 constexpr std::uint64_t kResultRoom = 1u << 16;
-/// In the middle of a command the hardware never becomes idle: it is done when it has starved this long.
-constexpr std::uint64_t kStarvedCycles = 1024;
 constexpr std::uint32_t kMaxReadEntries = 256;
 
 ModelSpec spec_of(const golden::HardwareConfig& config, const RtlOptions& options) {
@@ -24,6 +23,8 @@ ModelSpec spec_of(const golden::HardwareConfig& config, const RtlOptions& option
           .coverage = options.coverage,
           .assertions = options.assertions,
           .plain_bit_operations = options.plain_bit_operations,
+          .memory_latency = options.memory_latency,
+          .memory_stall_seed = options.memory_stall_seed,
           .defines = options.defines};
 }
 
@@ -48,32 +49,6 @@ bool ended(int stop) {
   return stop == GNOMON_STOP_TAKEN || stop == GNOMON_STOP_IDLE;
 }
 
-/// Knows from the submitted words whether the hardware is between two commands.
-class CommandTracker {
- public:
-  void take(std::span<const Word> words) {
-    while (!words.empty()) {
-      if (items_left_ == 0) {
-        header_ = golden::decode_header(words.front());
-        items_left_ = header_.count;
-        words = words.subspan(1);
-        ++commands_;
-      } else {
-        const std::size_t items = std::min<std::size_t>(items_left_, words.size());
-        items_left_ -= items;
-        words = words.subspan(items);
-      }
-    }
-  }
-  bool in_command() const { return items_left_ != 0; }
-  std::uint64_t commands() const { return commands_; }
-
- private:
-  golden::Header header_{};
-  std::size_t items_left_ = 0;
-  std::uint64_t commands_ = 0;
-};
-
 class RtlEngineImpl final : public RtlEngine {
  public:
   RtlEngineImpl(const golden::HardwareConfig& config, RtlOptions options,
@@ -93,7 +68,6 @@ class RtlEngineImpl final : public RtlEngine {
   const golden::HardwareConfig& config() const override { return config_; }
 
   void submit(std::span<const Word> words) override {
-    tracker_.take(words);
     GnomonModelRun run = new_run(words);
     run_to_end(run);
     words_taken_ += words.size();
@@ -105,13 +79,9 @@ class RtlEngineImpl final : public RtlEngine {
   }
 
   void drain_timed(const TimedSink& sink) override {
-    if (tracker_.in_command()) {
-      starve();
-    } else {
-      GnomonModelRun run = new_run({});
-      run.until_idle = 1;
-      run_to_end(run);
-    }
+    GnomonModelRun run = new_run({});
+    run.until_idle = 1;
+    run_to_end(run);
     report(0);
     poll(sink);
   }
@@ -136,7 +106,6 @@ class RtlEngineImpl final : public RtlEngine {
 
   void reset() override {
     api_.reset(model_.get());
-    tracker_ = {};
     results_.clear();
     result_cycles_.clear();
     words_taken_ = results_given_ = quiet_since_ = 0;
@@ -179,7 +148,6 @@ class RtlEngineImpl final : public RtlEngine {
 
   /// Runs for at most `cycles`, keeps the results, and throws if the run must not go on.
   int run_slice(GnomonModelRun& run, std::uint64_t cycles);
-  void starve();
   void check_limits(const GnomonModelRun& run, std::uint64_t now) const;
   std::string state(const GnomonModelRun& run) const;
 
@@ -192,7 +160,6 @@ class RtlEngineImpl final : public RtlEngine {
   std::shared_ptr<const ModelLibrary> library_;
   const GnomonModelApi& api_;
   std::unique_ptr<void, void (*)(void*)> model_;
-  CommandTracker tracker_;
   std::vector<Word> results_;
   std::vector<std::uint64_t> result_cycles_;
   std::vector<Word> room_ = std::vector<Word>(kResultRoom);  ///< where the model puts results
@@ -240,33 +207,11 @@ std::string RtlEngineImpl::state(const GnomonModelRun& run) const {
                      std::to_string(words_taken_ + run.words_taken) + " words taken, " +
                      std::to_string(run.word_count - run.words_taken) + " waiting, " +
                      std::to_string(results_given_) + " results given, " + std::to_string(counter(0)) +
-                     " of " + std::to_string(tracker_.commands()) +
                      " commands begun, idle=" + (api_.idle(model_.get()) ? "1" : "0") + ", cycles so far:";
   for (const auto& [name, count] : counters().cycles) {
     if (count != 0) text += " " + name + "=" + std::to_string(count);
   }
   return text;
-}
-
-void RtlEngineImpl::starve() {
-  const auto starved = [&] {
-    std::uint64_t sum = 0;
-    for (std::size_t pass = 0; pass < kPassNames.size(); ++pass) {
-      sum += counter(cycle_counter_index(pass, kInputStarvedCause));
-    }
-    return sum;
-  };
-  quiet_since_ = cycle();
-  for (;;) {
-    const std::uint64_t from = cycle(), starved_before = starved();
-    GnomonModelRun run = new_run({});
-    run.until_idle = 1;
-    const int stop = run_slice(run, kStarvedCycles);
-    if (stop == GNOMON_STOP_IDLE) return;
-    if (stop == GNOMON_STOP_CYCLE_LIMIT && run.result_count == 0 &&
-        starved() - starved_before == cycle() - from)
-      return;
-  }
 }
 
 std::vector<std::uint32_t> RtlEngineImpl::read_plane() {

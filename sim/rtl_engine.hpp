@@ -65,7 +65,9 @@ struct RtlOptions {
   std::uint64_t slice = 1u << 18;
 
   // What model runs; the configuration comes with make_rtl_engine.
-  bool trace_model = false;  ///< a model that can trace, also when `trace` is empty
+  int memory_latency = 1;     ///< as in ModelSpec
+  int memory_stall_seed = 0;  ///< as in ModelSpec
+  bool trace_model = false;   ///< a model that can trace, also when `trace` is empty
   bool coverage = false;
   bool assertions = false;
   bool plain_bit_operations = false;

@@ -82,6 +82,7 @@ class Model {
  public:
   explicit Model(uint32_t seed) {
     enter();
+    context_.threads(1);
     context_.fatalOnError(false);
     context_.randReset(2);
     context_.randSeed(static_cast<int>(seed * 2u + 1u));  // 0 would mean a seed from the clock
@@ -92,6 +93,7 @@ class Model {
     reset();
   }
   ~Model() {
+    enter();
     trace_close();
     top_->final();
   }
@@ -145,6 +147,7 @@ class Model {
 
   bool trace_open(const char* path, uint64_t from, uint64_t to) {
 #if VM_TRACE
+    enter();
     trace_close();
     trace_ = std::make_unique<VerilatedFstC>();
     top_->trace(trace_.get(), 99);
@@ -168,6 +171,7 @@ class Model {
 
   bool write_coverage(const char* path) {
 #if VM_COVERAGE
+    enter();
     context_.coveragep()->write(path);
     return true;
 #else

@@ -121,6 +121,17 @@ TEST(RtlEngine, TwoEnginesInOneThreadDoNotMix) {
   EXPECT_EQ(run(*second, {}), expected_fences(50, 5));
 }
 
+TEST(RtlEngine, EnginesMayEndInAnyOrder) {
+  RtlOptions options;  // a labelled assertion makes a scope, which the runtime keeps in the model's context
+  options.assertions = true;
+  options.defines = {"TINY_ASSERTS"};
+  auto first = tiny_engine(options), second = tiny_engine(options), third = tiny_engine(options);
+  third.reset();
+  EXPECT_EQ(run(*first, fences(0, 3)), expected_fences(0, 3));
+  first.reset();
+  EXPECT_EQ(run(*second, fences(0, 3)), expected_fences(0, 3));
+}
+
 TEST(RtlEngine, ReadPlaneLeavesNoTrace) {
   RtlOptions options;
   const auto watched = tiny_engine(options), plain = tiny_engine(options);

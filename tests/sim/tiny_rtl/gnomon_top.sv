@@ -9,7 +9,9 @@ module gnomon_top #(
   parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS = 20,
   parameter int unsigned PLANE_LOG2 = 9,
-  parameter bit          EN_VPU_OFFSET = 1'b1
+  parameter bit          EN_VPU_OFFSET = 1'b1,
+  parameter int unsigned MEM_LATENCY = 1,
+  parameter int unsigned MEM_STALL_SEED = 0
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -36,7 +38,7 @@ module gnomon_top #(
 
   logic take;
   assign take = cmd_valid_i && cmd_ready_o;
-  assign idle_o = items_left == 0 && !res_valid_o && reads_left == 0;
+  assign idle_o = !res_valid_o && reads_left == 0;
   assign counter_value_o = (counter_index_i == 7'd0)  ? commands :
                            (counter_index_i == 7'd16) ? cycles - starved :
                            (counter_index_i == 7'd17) ? starved : 64'd0;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every pair of parameter values, against golden; and both sides refuse the same builds.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cosim.hpp"
+#include "tests/support/covering.hpp"
+
+namespace gnomon::sim::test {
+namespace {
+
+class Parameters : public testing::TestWithParam<golden::HardwareConfig> {};
+
+TEST_P(Parameters, DirectedAndRandomStreams) {
+  RtlOptions options = Cosim::checked();
+  options.stalls = stall_profile(3, 21);
+  Cosim cosim(GetParam(), options);
+  // The plane is scrubbed after each reset; where it is large, one long stream stands for many.
+  const bool large = GetParam().plane_log2 > 9;
+  std::vector<stimulus::DirectedStream> streams = stimulus::directed_streams(GetParam());
+  for (std::uint64_t seed = 1; seed <= (large ? 1 : 5); ++seed) {
+    streams.push_back(random_case(GetParam(), seed, large ? 1000 : 200));
+  }
+  std::uint64_t words = 0;
+  for (const stimulus::DirectedStream& stream : streams) {
+    const CompareReport report = cosim.run(stream.words);
+    EXPECT_TRUE(report.passed()) << stream.name << "\n" << to_text(report);
+    words += report.words_compared;
+  }
+  EXPECT_GT(words, 3'000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(CoveringArray, Parameters, testing::ValuesIn(stimulus::covering_array()),
+                         [](const auto& test) {
+                           std::string name = describe(test.param);
+                           for (char& c : name) c = c == ' ' || c == '=' ? '_' : c;
+                           return name;
+                         });
+
+/// One step over each border of what is legal, and one step inside.
+std::vector<golden::HardwareConfig> borders() {
+  using Config = golden::HardwareConfig;
+  struct Range {
+    int Config::*member;
+    int low, high;
+  };
+  const std::vector<Range> ranges{{&Config::voxel_bits, 4, 11},  {&Config::voxel_frac_bits, 0, 6},
+                                  {&Config::normal_bits, 4, 12}, {&Config::matrix_frac_bits, 12, 28},
+                                  {&Config::depth_bits, 8, 24},  {&Config::plane_log2, 4, 12}};
+  std::vector<Config> configs;
+  for (const Range& range : ranges) {
+    for (const int value : {range.low - 1, range.low, range.high, range.high + 1}) {
+      Config config{.voxel_bits = 6, .voxel_frac_bits = 2, .normal_bits = 6};
+      config.*range.member = value;
+      if (value >= 0) configs.push_back(config);  // parameters are unsigned in SystemVerilog
+    }
+  }
+  configs.push_back({.voxel_bits = 11, .voxel_frac_bits = 5, .normal_bits = 5});
+  configs.push_back({.voxel_bits = 11, .voxel_frac_bits = 5, .normal_bits = 6});  // 66 bits of a voxel
+  configs.push_back({.voxel_bits = 11, .voxel_frac_bits = 6, .normal_bits = 4});  // P = 17
+  configs.push_back({.voxel_bits = 9, .voxel_frac_bits = 3, .normal_bits = 9, .matrix_frac_bits = 14});
+  configs.push_back(
+      {.voxel_bits = 9, .voxel_frac_bits = 3, .normal_bits = 9, .matrix_frac_bits = 13});  // f < P + 2
+  return configs;
+}
+
+TEST(Parameters, GoldenAndElaborationRefuseTheSameBuilds) {
+  const ModelCache cache;
+  int refused = 0, accepted = 0;
+  for (const golden::HardwareConfig& config : borders()) {
+    const auto by_golden = config.check();
+    const auto by_rtl = cache.refusal({.config = config});
+    EXPECT_EQ(by_golden.has_value(), by_rtl.has_value())
+        << describe(config) << "\ngolden: " << by_golden.value_or("accepts")
+        << "\nrtl: " << by_rtl.value_or("accepts");
+    if (by_rtl) {
+      EXPECT_THAT(*by_rtl, testing::HasSubstr("parameter_check.sv"));
+    }
+    (by_rtl ? refused : accepted) += 1;
+  }
+  EXPECT_GE(refused, 14);
+  EXPECT_GE(accepted, 14);
+}
+
+}  // namespace
+}  // namespace gnomon::sim::test
