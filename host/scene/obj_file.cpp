@@ -31,7 +31,7 @@ class Content {
     }
     if (file.positions.size() >= kMostIndices) return refuse("more than 2147483647 vertices");
     file.positions.push_back(position);
-    if (weight != 1) ++file.weighted_vertices;
+    if (has_weight && weight != 1) ++file.weighted_vertices;
   }
 
   void add_face(std::span<const tinyobj::index_t> corners) {
@@ -65,6 +65,7 @@ class Content {
     if (!problem) problem = fmt::format("{}: error: {}", line, message);
   }
 
+  bool has_weight = false;             ///< of the vertex being read: a colour looks the same to tinyobjloader
   std::size_t line = 0;                ///< of the statement being read
   std::optional<std::string> problem;  ///< the first fault, "line: error: ..."
 
@@ -124,6 +125,7 @@ class CheckedStatements : public std::streambuf {
       } else if (*kind == ObjStatement::Tag) {
         read_tag();
       } else if (*kind != ObjStatement::Blank && *kind != ObjStatement::Ignored) {
+        content_.has_weight = *kind == ObjStatement::WeightedVertex;
         statement_ = *kind == ObjStatement::Object ? lines_.text() : without_comment(lines_.text());
         statement_ += '\n';
         setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());

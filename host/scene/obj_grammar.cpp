@@ -69,7 +69,8 @@ bool names_a_non_finite_number(std::string_view word) {
   return lower.starts_with("nan") || lower.starts_with("inf") || lower.starts_with("1.#");
 }
 
-Result<void> check_vertex(std::string_view rest) {
+/// x y z, then perhaps a weight, a colour, or both.
+Result<ObjStatement> check_vertex(std::string_view rest) {
   std::size_t count = 0;
   for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
     const std::optional<double> value = number(word);
@@ -84,12 +85,11 @@ Result<void> check_vertex(std::string_view rest) {
                               kLargestCoordinate));
     }
   }
-  // x y z, then perhaps a weight, a colour, or both.
   if (count != 3 && count != 4 && count != 6 && count != 7) {
     return fail(fmt::format(
         "vertex has {} numbers, expected 3 coordinates (and perhaps a weight or a colour)", count));
   }
-  return {};
+  return count == 4 || count == 7 ? ObjStatement::WeightedVertex : ObjStatement::Vertex;
 }
 
 /// [+-]digits
@@ -192,7 +192,7 @@ Result<ObjStatement> check_statement(std::string_view line) {
   const std::string_view keyword = next_word(rest);
   if (keyword.empty() || keyword.starts_with('#')) return ObjStatement::Blank;
   rest = without_comment(rest);
-  if (keyword == "v") return check_vertex(rest).map([] { return ObjStatement::Vertex; });
+  if (keyword == "v") return check_vertex(rest);
   if (keyword == "f") return check_face(rest).map([] { return ObjStatement::Face; });
   if (keyword == "o") return ObjStatement::Object;
   if (keyword == "t") return ObjStatement::Tag;

@@ -15,7 +15,7 @@ namespace gnomon::scene {
 /// Larger coordinates are refused: their squares and cubes must stay finite.
 inline constexpr double kLargestCoordinate = 1e90;
 
-enum class ObjStatement : std::uint8_t { Blank, Vertex, Face, Object, Tag, Ignored };
+enum class ObjStatement : std::uint8_t { Blank, Vertex, WeightedVertex, Face, Object, Tag, Ignored };
 
 /// Says what kind of statement `line` is and whether it is well formed. Errors carry no place: the caller
 /// knows it. Ignored are the statements of the OBJ specification that a control cage does not need (vt, vn,

@@ -25,8 +25,8 @@ class Joined {
     return object;
   }
   void join(std::size_t a, std::size_t b) {
-    const auto [first, second] = std::minmax(find(a), find(b));
-    parent_[second] = first;
+    const std::size_t first = find(a), second = find(b);
+    parent_[std::max(first, second)] = std::min(first, second);
   }
 
  private:
