@@ -2,6 +2,7 @@
 // N = 6: the voxels that a block's leaves touch between their corners. Theory: docs/voxelization.md, "N = 6".
 #include <algorithm>
 
+#include "host/surface/borders.hpp"
 #include "host/voxel/block_worker.hpp"
 
 namespace gnomon::voxel {
@@ -9,20 +10,19 @@ namespace gnomon::voxel {
 // A touched voxel takes the nearest thing to a representative: a corner of the leaf, moved into the voxel.
 void BlockWorker::touch(const Triangle& triangle, int i, int j, BlockOutput& out) {
   for_each_touched(triangle, rules_.res, [&](VoxelKey key) {
-    if (!first_here(key)) return;
-    if (!wanted_.representatives) {
-      out.extra_keys.push_back(key);
-      return;
+    if (members_ != nullptr) {
+      members_->insert(key);
+    } else if (first_here(key)) {
+      out.extra.push_back(moved_into(key, voxel_at_point(i, j)));
     }
-    out.extra_voxels.push_back(moved_into(key, representative(i, j)));
   });
 }
 
 void BlockWorker::complete(const Box& b, BlockOutput& out) {
-  const GridPoint p00 = point(b.i0, b.j0);
-  const GridPoint p11 = point(b.i1, b.j1);
-  touch({p00, point(b.i1, b.j0), p11}, b.i0, b.j0, out);
-  touch({p00, p11, point(b.i0, b.j1)}, b.i0, b.j0, out);
+  const GridPoint p00 = lattice_.point(b.i0, b.j0);
+  const GridPoint p11 = lattice_.point(b.i1, b.j1);
+  touch({p00, lattice_.point(b.i1, b.j0), p11}, b.i0, b.j0, out);
+  touch({p00, p11, lattice_.point(b.i0, b.j1)}, b.i0, b.j0, out);
   complete_side({b.i0, b.j0, b.i1, b.j0}, out);
   complete_side({b.i0, b.j1, b.i1, b.j1}, out);
   complete_side({b.i0, b.j0, b.i0, b.j1}, out);
@@ -33,42 +33,42 @@ void BlockWorker::complete(const Box& b, BlockOutput& out) {
 void BlockWorker::complete_side(const Box& side, BlockOutput& out) {
   const bool along_u = side.j0 == side.j1;
   const int across = along_u ? side.j0 : side.i0;
-  if (across == 0 || across == (along_u ? height_ : width_)) {
+  if (across == 0 || across == (along_u ? lattice_.height() : lattice_.width())) {
     record_side(side, out);
     return;
   }
-  const GridPoint first = point(side.i0, side.j0);
+  const GridPoint first = lattice_.point(side.i0, side.j0);
   GridPoint last = first;
   const int begin = along_u ? side.i0 : side.j0;
   const int end = along_u ? side.i1 : side.j1;
   for (int t = begin + 1; t <= end; ++t) {
     const int i = along_u ? t : across;
     const int j = along_u ? across : t;
-    if (!visited(i, j)) continue;
-    if (last != first) touch({first, last, point(i, j)}, side.i0, side.j0, out);
-    last = point(i, j);
+    if (!lattice_.visited(i, j)) continue;
+    if (last != first) touch({first, last, lattice_.point(i, j)}, side.i0, side.j0, out);
+    last = lattice_.point(i, j);
   }
 }
 
 // Other blocks and faces may put points on it: kept until all are done.
 void BlockWorker::record_side(const Box& side, BlockOutput& out) {
-  const std::uint32_t u0 = u_at(side.i0);
-  const std::uint32_t u1 = u_at(side.i1);
-  const std::uint32_t v0 = v_at(side.j0);
-  const std::uint32_t v1 = v_at(side.j1);
+  const std::uint32_t u0 = lattice_.u_at(side.i0);
+  const std::uint32_t u1 = lattice_.u_at(side.i1);
+  const std::uint32_t v0 = lattice_.v_at(side.j0);
+  const std::uint32_t v1 = lattice_.v_at(side.j1);
   const bool along_u = v0 == v1;
   const std::uint32_t across = along_u ? v0 : u0;
   BorderSide s{{block_.object, block_.face, (along_u ? 0U : 1U), across},
                along_u ? u0 : v0,
                along_u ? u1 : v1,
-               point(side.i0, side.j0),
-               point(side.i1, side.j1),
-               wanted_.representatives ? representative(side.i0, side.j0) : Voxel{}};
+               lattice_.point(side.i0, side.j0),
+               lattice_.point(side.i1, side.j1),
+               voxel_at_point(side.i0, side.j0)};
   if (across == 0 || across == kParameterOne) {
     // In the curve's own parameter, from the middle, which is no corner, and a quarter.
     const auto on_curve = [&](double t) {
       const double a = parameter(across);
-      return surface_->borders().spot(block_.face, along_u ? t : a, along_u ? a : t);
+      return lattice_.surface().borders().spot(block_.face, along_u ? t : a, along_u ? a : t);
     };
     const double t0 = parameter(s.t0);
     const double t1 = parameter(s.t1);

@@ -45,6 +45,18 @@ std::atomic<VoxelKey>* BorderCache::slot(const surface::BorderSpot& spot) {
   return static_cast<double>(i) == step ? &slots_[curve.first + i] : nullptr;
 }
 
+BorderCache::Stretch BorderCache::stretch(std::uint32_t face, double u, double v, double du, double dv) {
+  // Half a step and one step from the start: neither is a corner.
+  const surface::BorderSpot half = surface_.borders().spot(face, u + du / 2, v + dv / 2);
+  const surface::BorderSpot quarter = surface_.borders().spot(face, u + du / 4, v + dv / 4);
+  const Curve& curve = curves_[half.id];
+  const double stride = (half.t - quarter.t) * 4 * curve.steps;
+  const double start = half.t * curve.steps - stride / 2;
+  if (stride != std::floor(stride) || start != std::floor(start)) return {};
+  return {slots_.data() + curve.first + static_cast<std::ptrdiff_t>(start),
+          static_cast<std::ptrdiff_t>(stride)};
+}
+
 BorderCache::Answer BorderCache::voxel(std::uint32_t face, double u, double v, std::uint32_t res) {
   const surface::BorderSpot spot = surface_.borders().spot(face, u, v);
   std::atomic<VoxelKey>* const remembered = slot(spot);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "host/surface/borders.hpp"
@@ -22,6 +24,21 @@ class BorderCache {
   };
   /// `u` or `v` must be 0 or 1.
   Answer voxel(std::uint32_t face, double u, double v, std::uint32_t res);
+
+  /// The memory of equally spaced points on one side of a face: point i is at first[i * stride].
+  struct Stretch {
+    const std::atomic<VoxelKey>* first = nullptr;  ///< null: not all of the points are remembered
+    std::ptrdiff_t stride = 0;
+
+    /// What voxel() would say, if it has been asked before.
+    std::optional<VoxelKey> recall(std::ptrdiff_t i) const {
+      if (first == nullptr) return std::nullopt;
+      const VoxelKey k = first[i * stride].load(std::memory_order_relaxed);
+      return k == 0 ? std::nullopt : std::optional(k - 1);
+    }
+  };
+  /// Points (u, v) + i (du, dv), for i from 1 on, that are not corners of the face.
+  Stretch stretch(std::uint32_t face, double u, double v, double du, double dv);
 
  private:
   std::atomic<VoxelKey>* slot(const surface::BorderSpot& spot);

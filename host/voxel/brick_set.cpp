@@ -29,32 +29,28 @@ void BrickSet::grow() {
 }
 
 std::uint32_t BrickSet::find_or_add(VoxelKey brick) {
-  if (brick == last_key_) return last_;
-  last_key_ = brick;
-  last_ = find(brick);
-  if (last_ != kNone) return last_;
+  if (const std::uint32_t b = find(brick); b != kNone) return b;
   if (2 * (keys_.size() + 1) > directory_.size()) grow();
-  last_ = static_cast<std::uint32_t>(keys_.size());
+  const auto added = static_cast<std::uint32_t>(keys_.size());
   keys_.push_back(brick);
   bricks_.push_back({});
   if (indexed_) indices_.emplace_back();
   const std::size_t mask = directory_.size() - 1;
   std::size_t i = hash(brick) & mask;
   while (directory_[i] != kNone) i = (i + 1) & mask;
-  directory_[i] = last_;
-  return last_;
+  directory_[i] = added;
+  return added;
 }
 
-bool BrickSet::insert(VoxelKey key) {
-  const std::uint32_t b = find_or_add(brick_key(key));
-  const Spot s = spot(key);
-  std::uint64_t& word = bricks_[b][s.word];
-  const std::uint64_t bit = std::uint64_t{1} << s.bit;
-  if ((word & bit) != 0) return false;
-  word |= bit;
-  if (indexed_) indices_[b][s.word * 64 + s.bit] = static_cast<std::uint32_t>(size_);
-  ++size_;
-  return true;
+void BrickSet::merge(const BrickSet& other) {
+  for (std::size_t b = 0; b < other.keys_.size(); ++b) {
+    Brick& mine = bricks_[find_or_add(other.keys_[b])];
+    for (std::size_t z = 0; z < mine.size(); ++z) {
+      const std::uint64_t fresh = other.bricks_[b][z] & ~mine[z];
+      size_ += static_cast<std::size_t>(std::popcount(fresh));
+      mine[z] |= fresh;
+    }
+  }
 }
 
 bool BrickSet::contains(VoxelKey key) const {
@@ -68,20 +64,12 @@ std::uint32_t BrickSet::index(VoxelKey key) const {
   return indices_[find(brick_key(key))][s.word * 64 + s.bit];
 }
 
-void BrickSet::for_each(const std::function<void(VoxelKey)>& visit) const {
+std::vector<std::uint32_t> BrickSet::ordered() const {
   std::vector<std::uint32_t> order(keys_.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return keys_[a] < keys_[b]; });
-  for (const std::uint32_t b : order) {
-    const VoxelKey corner = keys_[b] << 3;
-    for (std::uint32_t z = 0; z < 8; ++z) {
-      for (std::uint64_t bits = bricks_[b][z]; bits != 0; bits &= bits - 1) {
-        const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
-        visit(corner + pack(bit % 8, bit / 8, z));
-      }
-    }
-  }
+  return order;
 }
 
 }  // namespace gnomon::voxel

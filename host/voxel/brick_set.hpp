@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "host/voxel/voxel_key.hpp"
@@ -23,8 +23,22 @@ class BrickSet {
   std::uint32_t index(VoxelKey key) const;
   std::size_t size() const { return size_; }
 
-  /// Calls `visit` for every member, ordered by brick (z, y, x) and within a brick by z, y, x.
-  void for_each(const std::function<void(VoxelKey)>& visit) const;
+  /// Adds all members of another set, which is not indexed.
+  void merge(const BrickSet& other);
+
+  /// Calls `visit(key)` for every member, ordered by brick (z, y, x) and within a brick by z, y, x.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (const std::uint32_t b : ordered()) {
+      const VoxelKey corner = keys_[b] << 3;
+      for (std::uint32_t z = 0; z < 8; ++z) {
+        for (std::uint64_t bits = bricks_[b][z]; bits != 0; bits &= bits - 1) {
+          const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+          visit(corner + pack(bit % 8, bit / 8, z));
+        }
+      }
+    }
+  }
 
  private:
   using Brick = std::array<std::uint64_t, 8>;  // one word per z, bit y * 8 + x
@@ -39,7 +53,14 @@ class BrickSet {
 
   std::uint32_t find(VoxelKey brick) const;
   std::uint32_t find_or_add(VoxelKey brick);
+  std::uint32_t brick_of(VoxelKey key) {
+    const VoxelKey brick = brick_key(key);
+    Recent& recent = recent_[(key_x(brick) ^ key_y(brick) << 2 ^ key_z(brick) << 4) % recent_.size()];
+    if (brick != recent.key) recent = {brick, find_or_add(brick)};
+    return recent.number;
+  }
   void grow();
+  std::vector<std::uint32_t> ordered() const;
 
   bool indexed_;
   std::vector<std::uint32_t> directory_;  // open addressing: numbers of bricks
@@ -47,8 +68,24 @@ class BrickSet {
   std::vector<Brick> bricks_;
   std::vector<std::array<std::uint32_t, 512>> indices_;
   std::size_t size_ = 0;
-  VoxelKey last_key_ = ~VoxelKey{0};  // most insertions go to the brick of the one before
-  std::uint32_t last_ = kNone;
+  // Most insertions go to bricks that have been asked for just before.
+  struct Recent {
+    VoxelKey key = ~VoxelKey{0};
+    std::uint32_t number = kNone;
+  };
+  std::array<Recent, 64> recent_;
 };
+
+inline bool BrickSet::insert(VoxelKey key) {
+  const std::uint32_t b = brick_of(key);
+  const Spot s = spot(key);
+  std::uint64_t& word = bricks_[b][s.word];
+  const std::uint64_t bit = std::uint64_t{1} << s.bit;
+  if ((word & bit) != 0) return false;
+  word |= bit;
+  if (indexed_) indices_[b][s.word * 64 + s.bit] = static_cast<std::uint32_t>(size_);
+  ++size_;
+  return true;
+}
 
 }  // namespace gnomon::voxel

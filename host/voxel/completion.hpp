@@ -7,12 +7,11 @@
 #include <functional>
 #include <vector>
 
+#include "host/voxel/lattice.hpp"
 #include "host/voxel/voxel_key.hpp"
 
 namespace gnomon::voxel {
 
-/// A limit point in units of 2^-16 voxel.
-using GridPoint = std::array<std::uint32_t, 3>;
 using Triangle = std::array<GridPoint, 3>;
 
 /// Calls `visit` for every voxel whose closed cube meets the closed triangle, inside the grid. Exact for

@@ -41,6 +41,19 @@ inline std::uint32_t key_z(VoxelKey k) {
   return static_cast<std::uint32_t>(k >> (2 * kFieldBits) & 0x1fffff);
 }
 
+inline VoxelKey key_of(const Voxel& v) {
+  return pack(v.x, v.y, v.z);
+}
+
+/// A voxel without a representative.
+inline Voxel bare_voxel(VoxelKey k) {
+  Voxel v{};
+  v.x = static_cast<std::uint16_t>(key_x(k));
+  v.y = static_cast<std::uint16_t>(key_y(k));
+  v.z = static_cast<std::uint16_t>(key_z(k));
+  return v;
+}
+
 /// Non-zero where `a` and `b` are not neighbours; several results may be or-ed before they are tested.
 template <Adjacency kAdjacency>
 inline std::uint64_t gap(VoxelKey a, VoxelKey b) {

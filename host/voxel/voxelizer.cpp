@@ -68,14 +68,17 @@ class Run {
   }
 
   template <class Merge>
-  VoxelStatistics operator()(Wanted wanted, Merge merge) {
+  VoxelStatistics operator()(Wanted wanted, bool leaves, BrickSet* members, Merge merge) {
     VoxelStatistics statistics;
+    tbb::enumerable_thread_specific<BrickSet> sets;
     const auto threads =
         options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads);
     tbb::task_arena arena(threads);
     const std::size_t tokens = 4 * static_cast<std::size_t>(arena.max_concurrency());
-    tbb::enumerable_thread_specific<BlockWorker> workers(
-        [&] { return BlockWorker(surfaces_, borders_, rules_, wanted); });
+    tbb::enumerable_thread_specific<BlockWorker> workers([&] {
+      return BlockWorker(surfaces_, borders_, rules_, wanted, leaves,
+                         members == nullptr ? nullptr : &sets.local());
+    });
     const auto produce = [&](tbb::flow_control& control) -> std::shared_ptr<Batch> {
       auto batch = next_batch();
       if (!batch) control.stop();
@@ -98,6 +101,7 @@ class Run {
                                  tbb::make_filter<Passed, Passed>(tbb::filter_mode::parallel, work) &
                                  tbb::make_filter<Passed, void>(tbb::filter_mode::serial_in_order, collect));
     });
+    for (const BrickSet& set : sets) members->merge(set);
     statistics.evaluations += source_.evaluations();
     return statistics;
   }
@@ -131,26 +135,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-VoxelKey key_of(const Voxel& v) {
-  return pack(v.x, v.y, v.z);
-}
-
-Voxel bare_voxel(VoxelKey key) {
-  Voxel v{};
-  v.x = static_cast<std::uint16_t>(key_x(key));
-  v.y = static_cast<std::uint16_t>(key_y(key));
-  v.z = static_cast<std::uint16_t>(key_z(key));
-  return v;
-}
-
 // What N = 6 adds when all blocks are merged.
 struct Extras {
   std::vector<Voxel> voxels;
   std::vector<BorderSide> sides;
 
   void gather(const BlockOutput& out) {
-    voxels.insert(voxels.end(), out.extra_voxels.begin(), out.extra_voxels.end());
-    for (const VoxelKey k : out.extra_keys) voxels.push_back(bare_voxel(k));
+    voxels.insert(voxels.end(), out.extra.begin(), out.extra.end());
     sides.insert(sides.end(), out.sides.begin(), out.sides.end());
   }
 
@@ -177,9 +168,9 @@ Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const
     if (members.insert(key_of(v))) set.voxels.push_back(v);
   };
   Run run(surfaces, grid, options);
-  set.statistics = run({options.representatives, options.subpatches}, [&](const BlockOutput& out) {
+  const Wanted wanted = options.representatives ? Wanted::Representatives : Wanted::Voxels;
+  set.statistics = run(wanted, options.subpatches, nullptr, [&](const BlockOutput& out) {
     for (const Voxel& v : out.voxels) add_voxel(v);
-    for (const VoxelKey k : out.keys) add_voxel(bare_voxel(k));
     for (const LeafRecord& l : out.leaves) {
       set.subpatches.push_back({l.object,
                                 l.face,
@@ -206,10 +197,8 @@ Result<CoordinateSet> voxelize_coordinates(std::span<const surface::LimitSurface
   BrickSet members;
   Extras extras;
   Run run(surfaces, grid, options);
-  set.statistics = run({}, [&](const BlockOutput& out) {
-    for (const VoxelKey k : out.keys) members.insert(k);
-    extras.gather(out);
-  });
+  set.statistics =
+      run(Wanted::Coordinates, false, &members, [&](const BlockOutput& out) { extras.gather(out); });
   extras.release(grid.res, [&](const Voxel& v) { members.insert(key_of(v)); });
   set.voxels.reserve(members.size());
   members.for_each([&](VoxelKey k) {

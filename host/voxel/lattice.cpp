@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a block's points come from: its polynomial, the owners of borders, or the surface point by point.
+#include "host/voxel/lattice.hpp"
+
+#include <bit>
+
+namespace gnomon::voxel {
+namespace {
+
+surface::Lane4 lanes(const Vec3& p) {
+  return {{p.x, p.y, p.z, 0}};
+}
+Vec3 vec(const surface::Lane4& p) {
+  return {p.x[0], p.x[1], p.x[2]};
+}
+
+}  // namespace
+
+void Lattice::start(const Block& block) {
+  block_ = block;
+  surface_ = &surfaces_[block.object];
+  pieces_ = &surface_->pieces(block.face);
+  width_ = 1 << block.cells_u;
+  height_ = 1 << block.cells_v;
+  log_u_ = block.cell.log_u - block.cells_u;
+  log_v_ = block.cell.log_v - block.cells_v;
+  remembered_ = 0;
+
+  const auto rows = static_cast<std::size_t>(height_) + 1;
+  const std::size_t columns = static_cast<std::size_t>(width_) + 1;
+  const std::size_t words = static_cast<std::size_t>(width_) / 64 + 1;
+  if (keys_.size() < rows * columns) keys_.resize(rows * columns);
+  if (keep_points_ && points_.size() < rows * columns) points_.resize(rows * columns);
+  visited_.assign(rows * words, 0);
+  if (lines_.size() < rows) {
+    lines_.resize(rows);
+    slopes_.resize(rows);
+  }
+  for (std::size_t j = 0; j < rows; ++j) {
+    lines_[j].keys = keys_.data() + j * columns;
+    lines_[j].visited = visited_.data() + j * words;
+    lines_[j].ready = lines_[j].slope_ready = false;
+  }
+  map_to_piece();
+  map_to_borders();
+}
+
+void Lattice::map_to_piece() {
+  const Cell& c = block_.cell;
+  const double u0 = parameter(c.u0);
+  const double v0 = parameter(c.v0);
+  const auto region = pieces_->region(u0, v0, parameter(c.u1()), parameter(c.v1()));
+  patch_ = region.whole ? region.patch : nullptr;
+  own_columns_ = own_rows_ = 0;
+  if (patch_ == nullptr) return;
+  u_origin_ = (u0 - region.u0) / region.size;
+  v_origin_ = (v0 - region.v0) / region.size;
+  u_step_ = parameter(1U << log_u_) / region.size;
+  v_step_ = parameter(1U << log_v_) / region.size;
+  // Sides of the face belong to their owners, upper sides of a piece to the next piece.
+  own_u0_ = c.u0 == 0 ? 1 : 0;
+  own_v0_ = c.v0 == 0 ? 1 : 0;
+  const int last_u = parameter(c.u1()) == region.u0 + region.size ? width_ - 1 : width_;
+  const int last_v = parameter(c.v1()) == region.v0 + region.size ? height_ - 1 : height_;
+  own_columns_ = static_cast<unsigned>(last_u - own_u0_ + 1);
+  own_rows_ = static_cast<unsigned>(last_v - own_v0_ + 1);
+}
+
+void Lattice::map_to_borders() {
+  sides_ = {};
+  if (keep_points_) return;
+  const Cell& c = block_.cell;
+  BorderCache& cache = borders_[block_.object];
+  const double u0 = parameter(c.u0);
+  const double v0 = parameter(c.v0);
+  const double du = parameter(1U << log_u_);
+  const double dv = parameter(1U << log_v_);
+  if (c.v0 == 0) sides_[0] = cache.stretch(block_.face, u0, 0, du, 0);
+  if (c.u1() == kParameterOne) sides_[1] = cache.stretch(block_.face, 1, v0, 0, dv);
+  if (c.v1() == kParameterOne) sides_[2] = cache.stretch(block_.face, u0, 1, du, 0);
+  if (c.u0 == 0) sides_[3] = cache.stretch(block_.face, 0, v0, 0, dv);
+}
+
+std::uint64_t Lattice::evaluations() const {
+  std::uint64_t visited = 0;
+  const std::size_t words =
+      (static_cast<std::size_t>(width_) / 64 + 1) * (static_cast<std::size_t>(height_) + 1);
+  for (std::size_t w = 0; w < words; ++w) visited += static_cast<std::uint64_t>(std::popcount(visited_[w]));
+  return visited - remembered_;
+}
+
+[[gnu::noinline]] const Lattice::Row& Lattice::row(int j) {
+  Line& l = line(j);
+  if (!l.ready) {
+    l.ready = true;
+    l.cubic = patch_->row(v_own(j));
+  }
+  return l.cubic;
+}
+
+VoxelKey Lattice::foreign(int i, int j) {
+  const std::uint32_t u = u_at(i);
+  const std::uint32_t v = v_at(j);
+  if (u == 0 || v == 0 || u == kParameterOne || v == kParameterOne) return border(i, j);
+  return keep(i, j, fixed(i, j));
+}
+
+VoxelKey Lattice::border(int i, int j) {
+  if (keep_points_) return keep(i, j, fixed(i, j));
+  if (const auto known = recall(i, j)) {
+    ++remembered_;
+    return line(j).keys[i] = *known;
+  }
+  const auto answer =
+      borders_[block_.object].voxel(block_.face, parameter(u_at(i)), parameter(v_at(j)), res_);
+  remembered_ += answer.fresh ? 0 : 1;
+  return line(j).keys[i] = answer.key;
+}
+
+// Corners of the block may be corners of the face: those are left to the cache itself.
+std::optional<VoxelKey> Lattice::recall(int i, int j) const {
+  const bool inner_u = i > 0 && i < width_;
+  const bool inner_v = j > 0 && j < height_;
+  if (inner_u && !inner_v) return sides_[j == 0 ? 0 : 2].recall(i);
+  if (inner_v && !inner_u) return sides_[i == 0 ? 3 : 1].recall(j);
+  return std::nullopt;
+}
+
+Lattice::Fixed Lattice::fixed(int i, int j) {
+  if (own(i, j)) return detail::snap_lanes(surface::cubic(row(j), u_own(i)), res_);
+  const double u = parameter(u_at(i));
+  const double v = parameter(v_at(j));
+  if (const auto hit = pieces_->find(u, v); hit.patch != nullptr && u > 0 && u < 1 && v > 0 && v < 1) {
+    return detail::snap_lanes(surface::cubic(hit.patch->row(hit.v), hit.u), res_);
+  }
+  return detail::snap_lanes(lanes(surface_->position(block_.face, u, v)), res_);
+}
+
+Vec3 Lattice::unit_normal(int i, int j, std::uint64_t& nudged) {
+  constexpr double kSmallestSine2 = 1e-12;
+  if (patch_ != nullptr) {
+    Line& l = line(j);
+    Row& slope = slopes_[static_cast<std::size_t>(j)];
+    if (!l.slope_ready) {
+      l.slope_ready = true;
+      slope = patch_->row_slope(v_own(j));
+    }
+    const Vec3 du = vec(surface::cubic_slope(row(j), u_own(i)));
+    const Vec3 dv = vec(surface::cubic(slope, u_own(i)));
+    const Vec3 n = du.cross(dv);
+    if (n.length2() > kSmallestSine2 * du.length2() * dv.length2()) return n / n.length();
+  }
+  const auto n = surface_->unit_normal(block_.face, parameter(u_at(i)), parameter(v_at(j)));
+  nudged += n.nudged ? 1 : 0;
+  return n.direction;
+}
+
+Voxel Lattice::representative(int i, int j, std::uint64_t& nudged) {
+  const VoxelKey k = key(i, j);
+  Voxel v{};
+  v.x = static_cast<std::uint16_t>(key_x(k));
+  v.y = static_cast<std::uint16_t>(key_y(k));
+  v.z = static_cast<std::uint16_t>(key_z(k));
+  v.object = static_cast<std::uint16_t>(block_.object);
+  v.face = block_.face;
+  v.u = static_cast<float>(parameter(u_at(i)));
+  v.v = static_cast<float>(parameter(v_at(j)));
+  const Fixed p = fixed(i, j);
+  const Vec3 n = unit_normal(i, j, nudged);
+  for (int x = 0; x < 3; ++x) {
+    v.point[x] = static_cast<float>(p[static_cast<std::size_t>(x)] & 0xffff) * 0x1p-16F;
+    v.normal[x] = static_cast<float>(n[x]);
+  }
+  return v;
+}
+
+}  // namespace gnomon::voxel

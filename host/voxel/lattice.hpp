@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The points of one block, each evaluated when it is first asked for. Theory: docs/voxelization.md, "Blocks".
+#pragma once
+
+#include <bit>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/surface/patch_tree.hpp"
+#include "host/voxel/block.hpp"
+#include "host/voxel/border_cache.hpp"
+#include "host/voxel/brick_set.hpp"
+
+namespace gnomon::voxel {
+
+/// A limit point in units of 2^-16 voxel.
+using GridPoint = std::array<std::uint32_t, 3>;
+
+/// Reused from block to block.
+class Lattice {
+ public:
+  /// `members`, if any, receives every voxel as it is met. `keep_points` remembers positions too, for N = 6.
+  Lattice(std::span<const surface::LimitSurface> surfaces, std::span<BorderCache> borders, std::uint32_t res,
+          bool keep_points, BrickSet* members)
+      : surfaces_(surfaces), borders_(borders), res_(res), keep_points_(keep_points), members_(members) {}
+
+  void start(const Block& block);
+
+  const Block& block() const { return block_; }
+  const surface::LimitSurface& surface() const { return *surface_; }
+  int width() const { return width_; }  ///< cells
+  int height() const { return height_; }
+  std::uint32_t u_at(int i) const { return block_.cell.u0 + (static_cast<std::uint32_t>(i) << log_u_); }
+  std::uint32_t v_at(int j) const { return block_.cell.v0 + (static_cast<std::uint32_t>(j) << log_v_); }
+  std::uint64_t evaluations() const;
+
+  /// The voxel of point (i, j), 0..width by 0..height.
+  VoxelKey at(int i, int j);
+
+  // Of points that have been asked for.
+  bool visited(int i, int j) const { return (line(j).visited[i >> 6] >> (i & 63) & 1) != 0; }
+  VoxelKey key(int i, int j) const { return line(j).keys[i]; }
+  GridPoint point(int i, int j) const { return points_[index(i, j)]; }
+  /// In row-major order.
+  template <class Visit>
+  void for_each_visited(Visit visit) const;
+
+  /// The voxel with point (i, j) as its representative; `nudged` is raised where the normal had to be nudged.
+  Voxel representative(int i, int j, std::uint64_t& nudged);
+
+ private:
+  using Row = std::array<surface::Lane4, 4>;
+  struct Line {
+    VoxelKey* keys;
+    std::uint64_t* visited;
+    bool ready;  // whether `cubic` is
+    bool slope_ready;
+    Row cubic;  // the surface along the line
+  };
+  using Fixed = std::array<std::uint32_t, 4>;
+
+  Line& line(int j) { return lines_[static_cast<std::size_t>(j)]; }
+  const Line& line(int j) const { return lines_[static_cast<std::size_t>(j)]; }
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j) * (static_cast<std::size_t>(width_) + 1) + static_cast<std::size_t>(i);
+  }
+  double u_own(int i) const { return u_origin_ + u_step_ * i; }
+  double v_own(int j) const { return v_origin_ + v_step_ * j; }
+
+  // Whether the block's own polynomial answers for a point.
+  bool own(int i, int j) const {
+    return static_cast<unsigned>(i - own_u0_) < own_columns_ &&
+           static_cast<unsigned>(j - own_v0_) < own_rows_;
+  }
+  const Row& row(int j);
+  Fixed fixed(int i, int j);
+  VoxelKey foreign(int i, int j);
+  VoxelKey border(int i, int j);
+  std::optional<VoxelKey> recall(int i, int j) const;
+  VoxelKey keep(int i, int j, const Fixed& p);
+  Vec3 unit_normal(int i, int j, std::uint64_t& nudged);
+  void map_to_piece();
+  void map_to_borders();
+
+  std::span<const surface::LimitSurface> surfaces_;
+  std::span<BorderCache> borders_;
+  std::uint32_t res_;
+  bool keep_points_;
+  BrickSet* members_;
+
+  Block block_;
+  const surface::LimitSurface* surface_ = nullptr;
+  const surface::PatchTree* pieces_ = nullptr;
+  const surface::Patch* patch_ = nullptr;  // null: points are asked for one by one
+  int width_ = 0, height_ = 0;
+  int log_u_ = 0, log_v_ = 0;  // of a lattice step
+  int own_u0_ = 0, own_v0_ = 0;
+  unsigned own_columns_ = 0, own_rows_ = 0;
+  double u_origin_ = 0, u_step_ = 0, v_origin_ = 0, v_step_ = 0;  // to the polynomial's own parameters
+  std::array<BorderCache::Stretch, 4>
+      sides_;                     // v low, u high, v high, u low: where they are sides of the face
+  std::uint64_t remembered_ = 0;  // points that the border cache answered
+
+  std::vector<Line> lines_;
+  std::vector<Row> slopes_;  // of the lines, by v
+  std::vector<VoxelKey> keys_;
+  std::vector<std::uint64_t> visited_;
+  std::vector<GridPoint> points_;
+};
+
+namespace detail {
+
+inline std::array<std::uint32_t, 4> snap_lanes(const surface::Lane4& p, double res) {
+  std::array<std::uint32_t, 4> out;
+  for (std::size_t k = 0; k < 4; ++k) out[k] = snap(p.x[k], res);
+  return out;
+}
+
+}  // namespace detail
+
+inline VoxelKey Lattice::keep(int i, int j, const Fixed& p) {
+  if (keep_points_) points_[index(i, j)] = {p[0], p[1], p[2]};
+  const VoxelKey key = pack(p[0] >> kFractionBits, p[1] >> kFractionBits, p[2] >> kFractionBits);
+  line(j).keys[i] = key;
+  return key;
+}
+
+inline VoxelKey Lattice::at(int i, int j) {
+  Line& l = line(j);
+  std::uint64_t& word = l.visited[i >> 6];
+  const std::uint64_t bit = std::uint64_t{1} << (i & 63);
+  if ((word & bit) != 0) return l.keys[i];
+  word |= bit;
+  if (!own(i, j)) return foreign(i, j);
+  return keep(i, j, detail::snap_lanes(surface::cubic(l.ready ? l.cubic : row(j), u_own(i)), res_));
+}
+
+template <class Visit>
+void Lattice::for_each_visited(Visit visit) const {
+  for (int j = 0; j <= height_; ++j) {
+    for (int w = 0; w <= width_ >> 6; ++w) {
+      for (std::uint64_t bits = line(j).visited[w]; bits != 0; bits &= bits - 1) {
+        visit(w * 64 + std::countr_zero(bits), j);
+      }
+    }
+  }
+}
+
+}  // namespace gnomon::voxel
