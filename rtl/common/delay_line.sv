@@ -15,9 +15,9 @@ module delay_line #(
     assign unused_clk = clk_i;
     assign data_o     = data_i;
   end else begin : gen_registers
-    logic [WIDTH-1:0] data_q;
-    always_ff @(posedge clk_i) data_q <= data_i;
-    delay_line #(.WIDTH(WIDTH), .CYCLES(CYCLES - 1)) u_rest (.clk_i, .data_i(data_q), .data_o);
+    logic [CYCLES*WIDTH-1:0] data_q;  // the youngest in the low bits
+    always_ff @(posedge clk_i) data_q <= (CYCLES * WIDTH)'({data_q, data_i});
+    assign data_o = data_q[(CYCLES-1)*WIDTH+:WIDTH];
   end
 
 endmodule
