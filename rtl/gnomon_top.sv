@@ -11,7 +11,7 @@ module gnomon_top #(
   parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
-  parameter int unsigned EN_VPU_OFFSET    = 1,
+  parameter bit          EN_VPU_OFFSET    = 1'b1,
   parameter int unsigned MEM_LATENCY      = 1,      // cycles of a read of the plane's RAM
   parameter int unsigned MEM_STALL_SEED   = 0       // test aid: other than 0 (1..65535), the plane's ports stall at random
 ) (
@@ -36,7 +36,7 @@ module gnomon_top #(
   parameter_check #(
     .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
     .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
-    .EN_VPU_OFFSET(EN_VPU_OFFSET), .MEM_LATENCY(MEM_LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
+    .MEM_LATENCY(MEM_LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
   ) u_parameter_check ();
 
   localparam int unsigned INDEX = 2 * PLANE_LOG2;

@@ -8,7 +8,6 @@ module parameter_check #(
   parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
-  parameter int unsigned EN_VPU_OFFSET    = 1,
   parameter int unsigned MEM_LATENCY      = 1,
   parameter int unsigned MEM_STALL_SEED   = 0
 );
@@ -33,8 +32,6 @@ module parameter_check #(
     $error("DEPTH_BITS is out of range 8..24");
   if (PLANE_LOG2 < 4 || PLANE_LOG2 > 12)
     $error("PLANE_LOG2 is out of range 4..12");
-  if (EN_VPU_OFFSET > 1)
-    $error("EN_VPU_OFFSET is out of range 0..1");
   if (MEM_LATENCY < 1 || MEM_LATENCY > 64)
     $error("MEM_LATENCY is out of range 1..64");
   if (MEM_STALL_SEED > 65535)

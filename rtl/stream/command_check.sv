@@ -4,7 +4,7 @@
 
 module command_check #(
   parameter int unsigned PLANE_LOG2    = 9,
-  parameter int unsigned EN_VPU_OFFSET = 1
+  parameter bit          EN_VPU_OFFSET = 1'b1
 ) (
   input  gnomon_pkg::header_t header_i,
   output logic [7:0]          error_o   // ERROR_NONE if the command is good
@@ -25,7 +25,7 @@ module command_check #(
     endcase
   end
 
-  assign absent = EN_VPU_OFFSET == 0 && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS;
+  assign absent = !EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS;
 
   // The sum of the numbers: 33 bits, so that it does not wrap.
   assign bad_register = header_i.op == gnomon_pkg::OP_SET_REGISTERS &&

@@ -6,7 +6,7 @@
 
 module command_decoder #(
   parameter int unsigned PLANE_LOG2    = 9,
-  parameter int unsigned EN_VPU_OFFSET = 1
+  parameter bit          EN_VPU_OFFSET = 1'b1
 ) (
   input  logic                                       clk_i,
   input  logic                                       rst_ni,

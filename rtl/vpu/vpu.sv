@@ -11,7 +11,7 @@ module vpu #(
   parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
-  parameter int unsigned EN_VPU_OFFSET    = 1
+  parameter bit          EN_VPU_OFFSET    = 1'b1
 ) (
   input  logic                                       clk_i,
   input  logic                                       rst_ni,
@@ -156,7 +156,7 @@ module vpu #(
   assign give        = projected_o || (result_valid_o && result_ready_i);
 
   // ---- Resolve pass ----
-  if (EN_VPU_OFFSET != 0) begin : gen_resolve
+  if (EN_VPU_OFFSET) begin : gen_resolve
     vpu_resolve #(
       .POSITION_BITS(P), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS),
       .PLANE_LOG2(PLANE_LOG2)
