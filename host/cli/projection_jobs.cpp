@@ -42,10 +42,14 @@ void add_define_option(CLI::App& command, std::vector<std::string>& defines) {
       ->allow_extra_args(false);
 }
 
-sim::ModelCache model_cache(const Context& context) {
+Result<sim::ModelCache> model_cache(const Context& context) {
   const std::shared_ptr<spdlog::logger> log = context.log;
-  return sim::ModelCache(sim::Toolchain::from_environment(),
-                         [log](const std::string& notice) { log->info("{}", notice); });
+  try {
+    return sim::ModelCache(sim::Toolchain::from_environment(),
+                           [log](const std::string& notice) { log->info("{}", notice); });
+  } catch (const std::exception& error) {
+    return fail(error.what());
+  }
 }
 
 }  // namespace gnomon::cli

@@ -4,6 +4,7 @@
 
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/config.hpp>
+#include <utility>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -29,8 +30,9 @@ sim::RtlOptions rtl_options(const Context& context, const config::Settings& sett
 /// "--define NAME": builds the hardware with a preprocessor name set.
 void add_define_option(CLI::App& command, std::vector<std::string>& defines);
 
-/// A cache of compiled models that says in the log when it compiles one.
-sim::ModelCache model_cache(const Context& context);
+/// A cache of compiled models that says in the log when it compiles one. Fails where it has no folder, or
+/// tools are missing.
+Result<sim::ModelCache> model_cache(const Context& context);
 
 /// Calls `work`, which runs models; what the user can cure (no compiler, an interruption) becomes an Error or
 /// Interrupted.

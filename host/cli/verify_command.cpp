@@ -67,7 +67,9 @@ class VerifyCommand : public Command {
     const Result<std::vector<ProjectionJob>> jobs = projection_jobs(context, *input);
     if (!jobs) return tl::make_unexpected(jobs.error());
     for (std::size_t i = 0; i < jobs->size(); ++i) {
-      Result<Verdict> verdict = with_models([&] { return compare(context, (*jobs)[i], input->settings); });
+      Result<Verdict> verdict = with_models(context, [&](sim::ModelCache& cache) {
+        return compare(context, cache, (*jobs)[i], input->settings);
+      });
       if (!verdict) return tl::make_unexpected(verdict.error());
       verdict->name = jobs->size() == 1 ? scene.string() : fmt::format("{}, light {}", scene.string(), i + 1);
       if (!json_) print_text(*verdict, scene, input->settings);
@@ -76,13 +78,13 @@ class VerifyCommand : public Command {
     return {};
   }
 
-  Verdict compare(Context& context, const ProjectionJob& job, const config::Settings& settings) const {
+  Verdict compare(Context& context, sim::ModelCache& cache, const ProjectionJob& job,
+                  const config::Settings& settings) const {
     sim::RtlOptions options = rtl_options(context, settings, defines_);
     ProgressLine line(context.show_progress);
     options.progress = [&](const sim::Progress& p) {
       line.update("rtl", static_cast<double>(p.words) / static_cast<double>(job.stream.size()));
     };
-    sim::ModelCache cache = model_cache(context);
     const auto golden = golden::make_golden_engine(job.config);
     const auto rtl = sim::make_rtl_engine(job.config, options, cache);
     const auto start = std::chrono::steady_clock::now();

@@ -46,8 +46,9 @@ class WaveCommand : public Command {
     OutputFiles files;
     sim::Wave wave;
     const Result<void> added = files.add(output_, [&](const fs::path& temporary) -> Result<void> {
-      Result<sim::Wave> made =
-          with_models([&] { return trace(context, jobs->front(), input->settings, temporary); });
+      Result<sim::Wave> made = with_models(context, [&](sim::ModelCache& cache) {
+        return trace(context, cache, jobs->front(), input->settings, temporary);
+      });
       if (!made) return tl::make_unexpected(made.error());
       wave = std::move(*made);
       return {};
@@ -66,15 +67,14 @@ class WaveCommand : public Command {
     return check_output(output_);
   }
 
-  sim::Wave trace(Context& context, const ProjectionJob& job, const config::Settings& settings,
-                  const fs::path& file) const {
+  sim::Wave trace(Context& context, sim::ModelCache& cache, const ProjectionJob& job,
+                  const config::Settings& settings, const fs::path& file) const {
     sim::RtlOptions options = rtl_options(context, settings, defines_);
     ProgressLine line(context.show_progress);
     options.progress = [&](const sim::Progress& p) {
       const double all = difference_ ? static_cast<double>(job.stream.size()) : static_cast<double>(*to_ + 1);
       line.update("rtl", static_cast<double>(difference_ ? p.words : p.cycles) / all);
     };
-    sim::ModelCache cache = model_cache(context);
     if (!difference_) return sim::write_window(job.config, options, job.stream, {*from_, *to_, file}, cache);
     const auto golden = golden::make_golden_engine(job.config);
     return sim::write_first_difference(*golden, options, job.stream, file, {}, cache);
