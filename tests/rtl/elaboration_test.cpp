@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which parameters the hardware can be built with: every build of the covering array is lint-clean in
+// Verilator and read by Yosys; every illegal set stops both with its message, and the golden model refuses it
+// too.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <gnomon/golden/config.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/support/covering.hpp"
+
+namespace gnomon::rtl_test {
+namespace {
+
+using golden::HardwareConfig;
+
+struct Outcome {
+  int status = 0;
+  std::string text;
+};
+
+Outcome run(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  if (!pipe) return {-1, "cannot run " + command};
+  Outcome outcome;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    outcome.text.append(buffer.data(), count);
+  }
+  outcome.status = pclose(pipe);
+  return outcome;
+}
+
+using Parameters = std::array<std::pair<const char*, int>, 7>;
+Parameters parameters(const HardwareConfig& config) {
+  return {{{"VOXEL_BITS", config.voxel_bits},
+           {"VOXEL_FRAC_BITS", config.voxel_frac_bits},
+           {"NORMAL_BITS", config.normal_bits},
+           {"MATRIX_FRAC_BITS", config.matrix_frac_bits},
+           {"DEPTH_BITS", config.depth_bits},
+           {"PLANE_LOG2", config.plane_log2},
+           {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0}}};
+}
+
+Outcome verilator(const HardwareConfig& config) {
+  std::string command =
+      VERILATOR_PROGRAM " --lint-only -Wall --assert --top-module gnomon_top -F " RTL_DIR "/gnomon.f";
+  for (const auto& [name, value] : parameters(config)) {
+    command += std::string(" -G") + name + "=" + (std::string_view(name).starts_with("EN_") ? "1\\'b" : "") +
+               std::to_string(value);
+  }
+  return run(command);
+}
+
+Outcome yosys(const HardwareConfig& config) {
+  std::string script =
+      "read_verilog -sv -I" RTL_DIR "/common " RTL_SOURCES "; hierarchy -check -top gnomon_top";
+  for (const auto& [name, value] : parameters(config)) {
+    script += std::string(" -chparam ") + name + " " + std::to_string(value);
+  }
+  return run(YOSYS_PROGRAM " -q -p '" + script + "; proc; check -assert'");
+}
+
+TEST(Elaboration, EveryBuildOfTheCoveringArrayIsLintClean) {
+  const auto builds = stimulus::covering_array();
+  EXPECT_GE(builds.size(), 9u);
+  for (const HardwareConfig& config : builds) {
+    const Outcome outcome = verilator(config);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_EQ(outcome.text, "");
+  }
+}
+
+TEST(Elaboration, YosysReadsAndChecksBuildsOfTheCoveringArray) {
+  const auto builds = stimulus::covering_array();
+  for (std::size_t i = 0; i < builds.size(); i += 3) {
+    const Outcome outcome = yosys(builds[i]);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+  }
+}
+
+struct Illegal {
+  const char* message;  ///< of the hardware's check
+  HardwareConfig config;
+};
+std::vector<Illegal> illegal_builds() {
+  return {
+      {"VOXEL_BITS is out of range 4..11", {.voxel_bits = 3}},
+      {"VOXEL_BITS is out of range 4..11", {.voxel_bits = 12, .normal_bits = 4}},
+      {"VOXEL_FRAC_BITS is out of range 0..6", {.voxel_frac_bits = 7, .normal_bits = 4}},
+      {"VOXEL_BITS + VOXEL_FRAC_BITS is above 16",
+       {.voxel_bits = 11, .voxel_frac_bits = 6, .normal_bits = 4}},
+      {"NORMAL_BITS is out of range 4..12", {.normal_bits = 3}},
+      {"NORMAL_BITS is out of range 4..12", {.voxel_bits = 4, .normal_bits = 13}},
+      {"a voxel does not fit a word", {.normal_bits = 12}},
+      {"MATRIX_FRAC_BITS is out of range 12..28",
+       {.voxel_bits = 4, .voxel_frac_bits = 0, .matrix_frac_bits = 11}},
+      {"MATRIX_FRAC_BITS is out of range 12..28", {.matrix_frac_bits = 29}},
+      {"MATRIX_FRAC_BITS is below VOXEL_BITS + VOXEL_FRAC_BITS + 2",
+       {.voxel_bits = 11, .voxel_frac_bits = 2, .normal_bits = 8, .matrix_frac_bits = 14}},
+      {"DEPTH_BITS is out of range 8..24", {.depth_bits = 7}},
+      {"DEPTH_BITS is out of range 8..24", {.depth_bits = 25}},
+      {"PLANE_LOG2 is out of range 4..12", {.plane_log2 = 3}},
+      {"PLANE_LOG2 is out of range 4..12", {.plane_log2 = 13}},
+  };
+}
+
+TEST(Elaboration, IllegalBuildsStopEveryToolWithTheirMessage) {
+  for (const Illegal& build : illegal_builds()) {
+    EXPECT_TRUE(build.config.check().has_value()) << build.message;
+    for (const Outcome& outcome : {verilator(build.config), yosys(build.config)}) {
+      EXPECT_NE(outcome.status, 0) << build.message;
+      EXPECT_NE(outcome.text.find(build.message), std::string::npos) << outcome.text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::rtl_test
