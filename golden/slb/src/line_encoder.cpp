@@ -49,7 +49,7 @@ Line published_line(Line line, const EdgeSetup& edge, const Relative& c0, const 
 struct Candidate {
   Line line;
   bool valid = false;
-  std::int64_t score = 0;  ///< error at both borders, in 1 / (2 U D1) pixels
+  std::int64_t score = 0;  ///< error, in 1 / (2 U D1) pixels
 };
 
 /// Stores the crossing of border M = `cross`, on the lattice of the codes or halfway between.
@@ -65,9 +65,14 @@ Candidate candidate(Line line, bool cross, bool halfway, const Relative& c0, con
   line.cross = cross;
   line.frac = static_cast<std::uint16_t>(frac);
   line.slope = static_cast<std::uint16_t>(slope);
-  const std::int64_t stored_error = std::abs(stored.halves() - read_back) * config.d1();
-  const std::int64_t other_error = std::abs(rise * config.d1() - 2 * slope * config.unit());
-  return {line, reads_halfway(line, config) == halfway, stored_error + other_error};
+  // Restored minus true, at both borders; the line between them is off by nearly the largest of these on
+  // average.
+  const std::int64_t stored_error = (read_back - stored.halves()) * config.d1();
+  const std::int64_t short_of = rise * config.d1() - 2 * slope * config.unit();
+  const std::int64_t other_error = cross != line.xsign ? short_of : -short_of;
+  const std::int64_t score =
+      std::max({std::abs(stored_error), std::abs(other_error), std::abs(stored_error + other_error)});
+  return {line, reads_halfway(line, config) == halfway, score};
 }
 
 }  // namespace
