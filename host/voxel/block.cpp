@@ -70,6 +70,7 @@ bool BlockSource::next_face() {
   if (object_ == surfaces_.size()) return false;
   face_ = next_face_++;
   stack_.push_back({});
+  memo_.start();
   return true;
 }
 
@@ -84,12 +85,15 @@ std::optional<Block> BlockSource::lattice_for(const Cell& cell) const {
   return Block{object_, face_, cell, u, v};
 }
 
+VoxelKey BlockSource::at(std::uint32_t u, std::uint32_t v) {
+  if (const auto known = memo_.find(u, v)) return *known;
+  ++evaluations_;
+  const VoxelKey key = voxel_at(surfaces_[object_], face_, u, v, rules_.res);
+  memo_.remember(u, v, key);
+  return key;
+}
+
 bool BlockSource::divide(const Cell& cell) {
-  const auto& surface = surfaces_[object_];
-  const auto at = [&](std::uint32_t u, std::uint32_t v) {
-    return voxel_at(surface, face_, u, v, rules_.res);
-  };
-  evaluations_ += 4;
   Split split = rules_.split(
       {at(cell.u0, cell.v0), at(cell.u1(), cell.v0), at(cell.u1(), cell.v1()), at(cell.u0, cell.v1())},
       cell.log_u >= cell.log_v);

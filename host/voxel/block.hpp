@@ -9,6 +9,7 @@
 
 #include "host/surface/limit_surface.hpp"
 #include "host/voxel/criterion.hpp"
+#include "host/voxel/point_memo.hpp"
 
 namespace gnomon::voxel {
 
@@ -72,11 +73,13 @@ class BlockSource {
   std::optional<Block> lattice_for(const Cell& cell) const;
   bool divide(const Cell& cell);
   bool next_face();
+  VoxelKey at(std::uint32_t u, std::uint32_t v);
 
   std::span<const surface::LimitSurface> surfaces_;
   RecursionRules rules_;
   std::uint32_t object_ = 0, next_face_ = 0, face_ = 0;
   std::vector<Cell> stack_;
+  PointMemo memo_;
   std::uint64_t evaluations_ = 0;
 };
 

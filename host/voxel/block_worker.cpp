@@ -99,6 +99,9 @@ bool BlockWorker::too_coarse(const Box& b, Split split) {
     grow_u_ = grow_u_ || u;
     grow_v_ = grow_v_ || v;
   } else {
+    for (const int j : {b.j0, b.j1}) {
+      for (const int i : {b.i0, b.i1}) lattice_.remember(i, j);
+    }
     coarse_.push_back({lattice_.u_at(b.i0), lattice_.v_at(b.j0), log_u(b), log_v(b)});
   }
   return true;
@@ -151,10 +154,11 @@ void BlockWorker::collect(BlockOutput& out) {
   out.statistics.subpatches += leaf_count_;
   out.statistics.floor_hits += floor_hits_;
   recent_.assign(std::clamp<std::size_t>(std::bit_ceil(block_.points() / 2), 16, 4096), ~VoxelKey{0});
-  if (wanted_ != Wanted::Coordinates)
+  if (wanted_ != Wanted::Coordinates) {
     collect_voxels(out);
-  else
+  } else {
     lattice_.for_each_visited([&](int i, int j) { members_->insert(lattice_.key(i, j)); });
+  }
   out.statistics.zero_normals += zero_normals_;
   for (const Box& b : leaves_) {
     if (leaves_wanted_) record_leaf(b, out);

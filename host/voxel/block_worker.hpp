@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/voxel/block.hpp"
+#include "host/voxel/brick_set.hpp"
 #include "host/voxel/completion.hpp"
 #include "host/voxel/lattice.hpp"
 
@@ -46,8 +47,10 @@ class BlockWorker {
         leaves_wanted_(leaves),
         exact_(rules.adjacency == Adjacency::N6),
         members_(members),
-        lattice_(surfaces, borders, rules.res, exact_, members) {}
+        lattice_(surfaces, borders, rules.res, exact_) {}
 
+  /// Begins a new sequence of blocks: what is evaluated again depends on the blocks since then alone.
+  void begin() { lattice_.forget(); }
   void run(const Block& block, BlockOutput& out);
 
  private:

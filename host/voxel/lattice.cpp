@@ -17,6 +17,7 @@ Vec3 vec(const surface::Lane4& p) {
 }  // namespace
 
 void Lattice::start(const Block& block) {
+  if (block.face != block_.face || block.object != block_.object) memo_.start();
   block_ = block;
   surface_ = &surfaces_[block.object];
   pieces_ = &surface_->pieces(block.face);
@@ -57,13 +58,9 @@ void Lattice::map_to_piece() {
   v_origin_ = (v0 - region.v0) / region.size;
   u_step_ = parameter(1U << log_u_) / region.size;
   v_step_ = parameter(1U << log_v_) / region.size;
-  // Sides of the face belong to their owners, upper sides of a piece to the next piece.
-  own_u0_ = c.u0 == 0 ? 1 : 0;
-  own_v0_ = c.v0 == 0 ? 1 : 0;
-  const int last_u = parameter(c.u1()) == region.u0 + region.size ? width_ - 1 : width_;
-  const int last_v = parameter(c.v1()) == region.v0 + region.size ? height_ - 1 : height_;
-  own_columns_ = static_cast<unsigned>(last_u - own_u0_ + 1);
-  own_rows_ = static_cast<unsigned>(last_v - own_v0_ + 1);
+  // A block's border is shared with other blocks, and may belong to another piece or face.
+  own_columns_ = static_cast<unsigned>(width_ - 1);
+  own_rows_ = static_cast<unsigned>(height_ - 1);
 }
 
 void Lattice::map_to_borders() {
@@ -102,7 +99,14 @@ VoxelKey Lattice::foreign(int i, int j) {
   const std::uint32_t u = u_at(i);
   const std::uint32_t v = v_at(j);
   if (u == 0 || v == 0 || u == kParameterOne || v == kParameterOne) return border(i, j);
-  return keep(i, j, fixed(i, j));
+  if (keep_points_) return keep(i, j, fixed(i, j));
+  if (const auto known = memo_.find(u, v)) {
+    ++remembered_;
+    return line(j).keys[i] = *known;
+  }
+  const VoxelKey key = keep(i, j, fixed(i, j));
+  if (patch_ != nullptr || i == 0 || j == 0 || i == width_ || j == height_) memo_.remember(u, v, key);
+  return key;
 }
 
 VoxelKey Lattice::border(int i, int j) {

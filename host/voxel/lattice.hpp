@@ -10,7 +10,7 @@
 #include "host/surface/patch_tree.hpp"
 #include "host/voxel/block.hpp"
 #include "host/voxel/border_cache.hpp"
-#include "host/voxel/brick_set.hpp"
+#include "host/voxel/point_memo.hpp"
 
 namespace gnomon::voxel {
 
@@ -20,10 +20,13 @@ using GridPoint = std::array<std::uint32_t, 3>;
 /// Reused from block to block.
 class Lattice {
  public:
-  /// `members`, if any, receives every voxel as it is met. `keep_points` remembers positions too, for N = 6.
+  /// `keep_points` keeps positions too, for N = 6; what other blocks have evaluated is then not reused.
   Lattice(std::span<const surface::LimitSurface> surfaces, std::span<BorderCache> borders, std::uint32_t res,
-          bool keep_points, BrickSet* members)
-      : surfaces_(surfaces), borders_(borders), res_(res), keep_points_(keep_points), members_(members) {}
+          bool keep_points)
+      : surfaces_(surfaces), borders_(borders), res_(res), keep_points_(keep_points) {}
+
+  /// Forgets the points on borders of earlier blocks.
+  void forget() { memo_.start(); }
 
   void start(const Block& block);
 
@@ -39,6 +42,7 @@ class Lattice {
   VoxelKey at(int i, int j);
 
   // Of points that have been asked for.
+  void remember(int i, int j) { memo_.remember(u_at(i), v_at(j), key(i, j)); }  ///< for blocks to come
   bool visited(int i, int j) const { return (line(j).visited[i >> 6] >> (i & 63) & 1) != 0; }
   VoxelKey key(int i, int j) const { return line(j).keys[i]; }
   GridPoint point(int i, int j) const { return points_[index(i, j)]; }
@@ -70,8 +74,7 @@ class Lattice {
 
   // Whether the block's own polynomial answers for a point.
   bool own(int i, int j) const {
-    return static_cast<unsigned>(i - own_u0_) < own_columns_ &&
-           static_cast<unsigned>(j - own_v0_) < own_rows_;
+    return static_cast<unsigned>(i - 1) < own_columns_ && static_cast<unsigned>(j - 1) < own_rows_;
   }
   const Row& row(int j);
   Fixed fixed(int i, int j);
@@ -87,7 +90,6 @@ class Lattice {
   std::span<BorderCache> borders_;
   std::uint32_t res_;
   bool keep_points_;
-  BrickSet* members_;
 
   Block block_;
   const surface::LimitSurface* surface_ = nullptr;
@@ -95,12 +97,12 @@ class Lattice {
   const surface::Patch* patch_ = nullptr;  // null: points are asked for one by one
   int width_ = 0, height_ = 0;
   int log_u_ = 0, log_v_ = 0;  // of a lattice step
-  int own_u0_ = 0, own_v0_ = 0;
   unsigned own_columns_ = 0, own_rows_ = 0;
   double u_origin_ = 0, u_step_ = 0, v_origin_ = 0, v_step_ = 0;  // to the polynomial's own parameters
   std::array<BorderCache::Stretch, 4>
       sides_;                     // v low, u high, v high, u low: where they are sides of the face
-  std::uint64_t remembered_ = 0;  // points that the border cache answered
+  std::uint64_t remembered_ = 0;  // points that had been evaluated before
+  PointMemo memo_;                // of points on borders of blocks within the face
 
   std::vector<Line> lines_;
   std::vector<Row> slopes_;  // of the lines, by v

@@ -86,6 +86,7 @@ class Run {
     };
     const auto work = [&](std::shared_ptr<Batch> batch) {
       BlockWorker& worker = workers.local();
+      worker.begin();
       for (const Block& b : batch->blocks) worker.run(b, batch->output);
       return batch;
     };
