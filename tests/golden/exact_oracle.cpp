@@ -182,6 +182,14 @@ std::vector<NamedValue> Unit::intermediates(const VoxelItem& item, std::uint32_t
   return values;
 }
 
+std::int64_t register_value(std::size_t index, golden::Word word, const golden::HardwareConfig& config) {
+  const golden::RegisterFormat format = golden::register_format(static_cast<Register>(index), config);
+  const Integer range = Integer(1) << format.width;
+  const Integer low = Integer(word) % range;
+  const bool negative = format.is_signed && 2 * low >= range;
+  return Integer(negative ? low - range : low).convert_to<std::int64_t>();
+}
+
 void project(Plane& plane, const Unit& unit, const VoxelItem& item) {
   const Landing landing = unit.land(unit.project(item));
   if (!unit.on_plane(landing)) return;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <gnomon/golden/codec.hpp>
 #include <map>
@@ -66,6 +67,9 @@ class Unit {
   golden::HardwareConfig config_;
   stimulus::RegisterValues registers_;
 };
+
+/// What a register holds after a write of `word`.
+std::int64_t register_value(std::size_t index, golden::Word word, const golden::HardwareConfig& config);
 
 /// A plane that remembers nothing but the nearest depth of each entry.
 using Plane = std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t>;

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <gnomon/golden/command.hpp>
 #include <gnomon/golden/stream.hpp>
 
 #include "tests/golden/cases.hpp"
 #include "tests/golden/exact_oracle.hpp"
 #include "tests/golden/run_stream.hpp"
+#include "tests/support/stimulus.hpp"
 
 namespace gnomon::golden_test {
 namespace {
@@ -81,6 +83,55 @@ TEST(Exact, ACorruptedResultWordIsSeen) {
   passes.golden.results.pop_back();
   EXPECT_EQ(compare(passes.expected, passes.golden.results).differ, 1u) << "a missing word";
   EXPECT_EQ(compare({}, passes.golden.results).differ, passes.golden.results.size()) << "surplus words";
+}
+
+/// What the oracle answers to the voxels of a stream; commands in error are left out, other commands have no
+/// such answers.
+std::vector<Word> expected_voxel_states(const HardwareConfig& config, std::span<const Word> words) {
+  std::vector<Word> states;
+  stimulus::RegisterValues registers{};
+  exact::Plane plane;
+  golden::CommandReader reader(words);
+  while (const auto command = reader.next()) {
+    const golden::Header& header = command->header;
+    if (golden::header_error(header, config)) continue;
+    const exact::Unit unit(config, registers);
+    const auto op = static_cast<golden::Op>(header.op);
+    if (op == golden::Op::ClearPlane) plane.clear();
+    for (std::size_t i = 0; i < command->items.size(); ++i) {
+      const Word word = command->items[i];
+      const VoxelItem item = golden::decode_voxel(word, config);
+      if (op == golden::Op::SetRegisters)
+        registers[header.arg + i] = exact::register_value(header.arg + i, word, config);
+      if (op == golden::Op::ProjectVoxels) exact::project(plane, unit, item);
+      if (op == golden::Op::ResolveVoxels) {
+        const bool two_sided = (header.flags & golden::kResolveTwoSided) != 0;
+        states.push_back(golden::encode(exact::resolve(plane, unit, item, two_sided)));
+      }
+    }
+  }
+  return states;
+}
+
+TEST(Exact, EveryVoxelOfDirectedAndRandomStreams) {
+  const HardwareConfig small{.voxel_bits = 4,
+                             .voxel_frac_bits = 0,
+                             .normal_bits = 4,
+                             .matrix_frac_bits = 12,
+                             .depth_bits = 8,
+                             .plane_log2 = 4};
+  for (const HardwareConfig& config : {HardwareConfig{}, small}) {
+    auto streams = stimulus::directed_streams(config);
+    streams.push_back({"random", stimulus::random_stream(config, {.seed = 21})});
+    for (const auto& [name, words] : streams) {
+      auto results = run(config, words).results;
+      std::erase_if(results,
+                    [](Word word) { return golden::result_code(word) != golden::ResultCode::VoxelState; });
+      const Comparison comparison = compare(expected_voxel_states(config, words), results);
+      EXPECT_EQ(comparison.differ, 0u) << name << ": " << comparison.first;
+      EXPECT_EQ(comparison.compared > 0, name != "reads") << name;
+    }
+  }
 }
 
 TEST(ExactOracle, FloorOfNegativesAndIntegers) {

@@ -247,6 +247,19 @@ TEST(Semantics, EveryOutcomeOfResolveAndItsCounter) {
   EXPECT_EQ(outcome.events, expected);
 }
 
+/// DELTA_MAX itself is not beyond DELTA_MAX.
+TEST(Semantics, DeltaAtAndBeyondItsLimit) {
+  StreamWriter writer = identity_writer(kFull);
+  writer.set_register(Register::DeltaMax, 7);
+  writer.set_register(Register::DeltaShift, 63);  // nothing is left of delta for the slope test
+  writer.project(std::vector<VoxelItem>{{{5, 5, 20}, {}}});
+  writer.resolve(std::vector<VoxelItem>{{{5, 5, 27}, {0, 0, -255}}, {{5, 5, 28}, {0, 0, -255}}}, false);
+  const Outcome outcome = run(kFull, writer.words());
+  EXPECT_EQ(golden::describe_result(outcome.results[0]), "VOXEL_STATE lit uncertain nearest=20 delta=7");
+  EXPECT_EQ(golden::describe_result(outcome.results[1]),
+            "VOXEL_STATE shadow uncertain beyond_max nearest=20 delta=8");
+}
+
 TEST(Semantics, TwoSidedTurnsNormalsTowardsTheLight) {
   StreamWriter writer = identity_writer(kFull);
   const std::vector<VoxelItem> voxels{

@@ -123,6 +123,27 @@ std::vector<Word> far_offset_stream(const HardwareConfig& config) {
   return stage.finish();
 }
 
+/// Deltas and margins below, on and above their limits. All voxels are in one entry, the offset is none, and
+/// the rows give g = (3, 4, -5): the margin test compares delta with the root of MARGIN_SQUARED.
+std::vector<Word> threshold_stream(const HardwareConfig& config) {
+  Stage stage(config, 450);
+  RegisterValues values{};
+  const auto at = [&](Register reg) -> std::int64_t& { return values[static_cast<std::size_t>(reg)]; };
+  at(Register::MatrixUx) = 3;
+  at(Register::MatrixVx) = 4;
+  at(Register::MatrixDx) = -5;
+  at(Register::MatrixDz) = std::int64_t{1} << (config.position_bits() + 4);
+  std::vector<VoxelItem> items;
+  for (std::uint32_t depth = 0; depth < 16; ++depth) items.push_back({{0, 0, depth}, {1, 0, 0}});
+  for (std::int64_t limit = 0; limit < 16; ++limit) {
+    at(Register::DeltaMax) = limit;
+    at(Register::MarginSquared) = (15 - limit) * (15 - limit);
+    stage.set(values);
+    stage.project_and_resolve(items);
+  }
+  return stage.finish();
+}
+
 /// Short commands of changing kind: every command is a barrier for the next.
 std::vector<Word> barrier_stream(const HardwareConfig& config) {
   Stage stage(config, 500);
@@ -236,6 +257,7 @@ std::vector<DirectedStream> directed_streams(const HardwareConfig& config) {
   streams.push_back({"extreme_registers", extreme_stream(config)});
   streams.push_back({"borders", border_stream(config)});
   streams.push_back({"far_offset", far_offset_stream(config)});
+  streams.push_back({"thresholds", threshold_stream(config)});
   streams.push_back({"barriers", barrier_stream(config)});
   streams.push_back({"clears", clear_stream(config)});
   streams.push_back({"reads", read_stream(config)});
