@@ -34,12 +34,15 @@ void add_define_option(CLI::App& command, std::vector<std::string>& defines);
 /// tools are missing.
 Result<sim::ModelCache> model_cache(const Context& context);
 
-/// Calls `work`, which runs models; what the user can cure (no compiler, an interruption) becomes an Error or
-/// Interrupted.
+/// Calls `work` with a cache of compiled models; what the user can cure (no compiler, an interruption)
+/// becomes an Error or Interrupted.
 template <class Work>
-auto with_models(Work&& work) -> Result<decltype(work())> {
+auto with_models(const Context& context, Work&& work)
+    -> Result<decltype(work(std::declval<sim::ModelCache&>()))> {
+  Result<sim::ModelCache> cache = model_cache(context);
+  if (!cache) return tl::make_unexpected(cache.error());
   try {
-    return work();
+    return work(*cache);
   } catch (const sim::Aborted&) {
     throw Interrupted();
   } catch (const sim::ModelBuildError& error) {
