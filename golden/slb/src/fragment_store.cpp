@@ -7,7 +7,7 @@
 namespace gnomon::golden::slb {
 namespace {
 
-constexpr PixelPoint kCentre{1, 1, 1}, kLowerLeft{0, 0, 1};
+constexpr PixelPoint kCentre{1, 1, 1};
 
 /// The first fragment of the open group with room for a second chain; null if none.
 Fragment* half_used(Entry& entry) {
@@ -104,7 +104,6 @@ FragmentStore::Insertion FragmentStore::insert(const Chain& chain, std::uint8_t 
   Insertion result;
   if (first) entry.corner = 0;
   Line single = chain.a;
-  bool holds_corner = chain.holds_corner;
   const bool room =
       entry.count < config_.frags || (!entry.open && make_room(entry, chain.depth, result.evicted));
   Fragment* free_slot = entry.open ? half_used(entry) : nullptr;
@@ -112,7 +111,6 @@ FragmentStore::Insertion FragmentStore::insert(const Chain& chain, std::uint8_t 
     // Of a corner that does not fit, keep the line that agrees with it at the pixel's centre.
     const bool centre = chain_contains(chain.op, chain.a, chain.b, kCentre, config_);
     if (inside(chain.a, kCentre, config_) != centre) single = chain.b;
-    holds_corner = inside(single, kLowerLeft, config_);
     entry.overflow = result.reduced = true;
   }
   if (free_slot != nullptr && (chain.op == FragmentOp::One || result.reduced)) {
@@ -125,7 +123,7 @@ FragmentStore::Insertion FragmentStore::insert(const Chain& chain, std::uint8_t 
   } else {
     result.dropped = entry.overflow = true;
   }
-  int change = holds_corner ? 1 : 0;
+  int change = chain.holds_corner ? 1 : 0;
   // A chain that is not kept counts by its answer at the pixel's centre.
   if (result.dropped && chain_contains(chain.op, chain.a, chain.b, kCentre, config_)) --change;
   entry.corner = static_cast<std::int8_t>(std::clamp(entry.corner + change, kCornerMin, kCornerMax));
