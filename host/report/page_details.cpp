@@ -38,8 +38,6 @@ Json object_row(const Json& object) {
           {"inconsistent_flag", flag("inconsistent_edges")},
           {"degenerate", count(cage.at("degenerate_faces"))},
           {"degenerate_flag", flag("degenerate_faces")},
-          {"unused", count(cage.at("unused_vertices"))},
-          {"unused_flag", flag("unused_vertices")},
           {"extraordinary", count(cage.at("extraordinary_vertices"))},
           {"valence", count(cage.at("largest_valence"))},
           {"sharp", fmt::format("{} / {}", count(cage.at("creases")), count(cage.at("corners")))}};

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// A command stream on the golden model, and on the rtl engine checked against it.
+#include "host/pipeline/engines.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "sim/compare.hpp"
+
+namespace gnomon::pipeline {
+namespace {
+
+constexpr std::size_t kChunkWords = 1U << 16;  // a millisecond or so of golden
+
+/// Gives answers that are known already: golden is timed alone and runs once.
+class KnownAnswers final : public golden::Engine {
+ public:
+  KnownAnswers(const golden::HardwareConfig& config, const EngineAnswers& answers)
+      : config_(config), answers_(answers) {}
+
+  std::string_view name() const override { return "golden"; }
+  const golden::HardwareConfig& config() const override { return config_; }
+  void submit(std::span<const golden::Word>) override {}
+  void drain(const golden::ResultSink& sink) override {
+    if (!given_ && !answers_.results.empty()) sink(answers_.results);
+    given_ = true;
+  }
+  golden::Counters counters() const override { return answers_.counters; }
+  void reset() override { given_ = false; }
+  std::vector<std::uint32_t> read_plane() override {
+    throw std::logic_error("answers are known, the plane is not");
+  }
+
+ private:
+  golden::HardwareConfig config_;
+  const EngineAnswers& answers_;
+  bool given_ = false;
+};
+
+/// "cycles.PROJECT.BUSY" -> a table of passes in the order of docs/command-stream.md.
+std::vector<report::PassCycles> by_pass(const std::map<std::string, std::uint64_t>& cycles) {
+  std::vector<report::PassCycles> passes;
+  for (const char* pass : {"IDLE", "CONTROL", "CLEAR", "PROJECT", "RESOLVE", "READ"}) {
+    report::PassCycles row{pass, {}};
+    const std::string prefix = std::string("cycles.") + pass + ".";
+    for (auto at = cycles.lower_bound(prefix); at != cycles.end() && at->first.starts_with(prefix); ++at) {
+      row.causes[at->first.substr(prefix.size())] = at->second;
+    }
+    passes.push_back(std::move(row));
+  }
+  return passes;
+}
+
+std::uint64_t distance(std::uint64_t a, std::uint64_t b) {
+  return a > b ? a - b : b - a;
+}
+
+report::CompareRecord compare_record(const sim::CompareReport& report, const std::string& reproduce) {
+  report::CompareRecord record;
+  record.compared = true;
+  record.words = report.words_compared;
+  record.differing = report.words_differing;
+  record.other_faults = distance(report.expected_words, report.actual_words) + report.counters.size() +
+                        (report.fault.empty() ? 0 : 1);
+  if (!report.passed()) record.text = sim::to_text(report) + "reproduce with: " + reproduce + "\n";
+  record.first = sim::to_json(report).value("first_difference", nlohmann::json());
+  return record;
+}
+
+}  // namespace
+
+EngineAnswers run_stream(golden::Engine& engine, std::span<const golden::Word> stream,
+                         const std::function<void(double)>& progress) {
+  EngineAnswers answers;
+  const auto take = [&](std::span<const golden::Word> words) {
+    answers.results.insert(answers.results.end(), words.begin(), words.end());
+  };
+  for (std::size_t at = 0; at < stream.size(); at += kChunkWords) {
+    engine.submit(stream.subspan(at, std::min(kChunkWords, stream.size() - at)));
+    engine.drain(take);
+    progress(static_cast<double>(at) / static_cast<double>(stream.size()));
+  }
+  answers.counters = engine.counters();
+  const std::vector<std::uint32_t> plane = engine.read_plane();
+  answers.plane_entries_hit = static_cast<std::uint64_t>(
+      std::ranges::count_if(plane, [](std::uint32_t code) { return code != golden::kEmpty; }));
+  return answers;
+}
+
+RtlAnswers run_compared(sim::RtlEngine& rtl, std::span<const golden::Word> stream,
+                        const EngineAnswers& expected, std::uint32_t seed, const std::string& reproduce) {
+  KnownAnswers reference(rtl.config(), expected);
+  const sim::CompareReport report = sim::compare(reference, rtl, stream, {}, seed);
+  return {compare_record(report, reproduce), by_pass(report.rtl_counters.cycles)};
+}
+
+}  // namespace gnomon::pipeline

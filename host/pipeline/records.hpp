@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the stages found out, as the report wants it.
+#pragma once
+
+#include <gnomon/golden/codec.hpp>
+#include <span>
+#include <vector>
+
+#include "host/metrics/exact_reference.hpp"
+#include "host/metrics/shadow_error.hpp"
+#include "host/pipeline/run.hpp"
+#include "host/render/picture.hpp"
+
+namespace gnomon::pipeline {
+
+/// The request's own part: scene, parameters, versions.
+report::RunRecord request_record(const RunRequest& request);
+
+std::vector<report::RegisterRecord> register_records(const plan::VpuPlan& plan);
+
+/// Both methods against the exact answers, and against each other.
+report::ErrorsRecord errors_record(const metrics::ShadowTruth& truth, const voxel::VoxelSet& voxels,
+                                   std::span<const golden::VoxelState> fixed,
+                                   std::span<const golden::VoxelState> in_double,
+                                   const metrics::ErrorOptions& options);
+
+report::ExactRecord exact_record(const metrics::ExactReference& reference, const metrics::ShadowTruth& truth);
+
+report::PictureRecord picture_record(const render::Picture& picture, const render::Picture& reference);
+
+/// The index of the scene's ground, if it has one.
+std::optional<std::uint32_t> ground_of(const scene::Scene& scene);
+
+}  // namespace gnomon::pipeline

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+// The main job, stage by stage.
+#include "host/pipeline/run.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <fstream>
+#include <gnomon/golden/golden_engine.hpp>
+#include <gnomon/golden/stream_io.hpp>
+#include <iterator>
+#include <thread>
+
+#include "host/pipeline/engines.hpp"
+#include "host/pipeline/npy.hpp"
+#include "host/pipeline/records.hpp"
+#include "host/pipeline/stage_clock.hpp"
+#include "host/render/png_file.hpp"
+#include "host/report/metrics_json.hpp"
+#include "host/report/numbers.hpp"
+#include "host/report/output_directory.hpp"
+#include "host/report/page.hpp"
+#include "host/voxel/voxelizer.hpp"
+
+namespace gnomon::pipeline {
+namespace {
+
+struct Pictures {
+  render::Picture picture, reference;
+  render::Image error;
+};
+
+/// One run. Each member function is a stage, or a few that belong together; `clock_` times them.
+class Job {
+ public:
+  explicit Job(const RunRequest& request)
+      : request_(request), clock_(request.earlier_stages), record_(request_record(request)) {}
+
+  Result<RunOutcome> run();
+
+ private:
+  Result<void> build_surfaces();
+  Result<void> voxelize();
+  Result<void> plan();
+  void run_golden();
+  void run_rtl();
+  Result<void> decode();
+  void measure_errors();
+  Pictures draw();
+  Result<void> write(const report::OutputDirectory& output, const Pictures& pictures);
+
+  bool aborted() const { return request_.abort != nullptr && request_.abort->load(); }
+  /// To be called from within stages as often as one likes.
+  void progress(std::string_view stage, double done) const {
+    if (aborted()) throw metrics::Cancelled();
+    if (request_.progress) request_.progress(stage, done);
+  }
+  std::function<void(double)> progress_of(std::string_view stage) const {
+    return [this, stage](double done) { progress(stage, done); };
+  }
+  /// The stage's result, timed, its name shown from the start.
+  template <class Work>
+  auto stage(std::string_view name, Work&& work) {
+    progress(name, 0);
+    return clock_.run(std::string(name), std::forward<Work>(work));
+  }
+
+  const RunRequest& request_;
+  StageClock clock_;
+  report::RunRecord record_;
+
+  std::vector<surface::LimitSurface> surfaces_;
+  std::vector<bool> two_sided_;
+  voxel::Grid grid_;
+  voxel::VoxelSet voxels_;
+  Vec3 light_;  ///< the way it travels, grid coordinates
+  plan::VpuPlan plan_;
+  std::vector<golden::Word> stream_;
+  EngineAnswers golden_;
+  std::vector<golden::VoxelState> states_;
+  std::optional<metrics::ExactReference> exact_;
+};
+
+Result<void> Job::build_surfaces() {
+  auto grid = scene::fit_grid(request_.scene, request_.settings.res, request_.settings.adjacency);
+  if (!grid) return fail(grid.error().message);
+  grid_ = *grid;
+  for (const scene::Object& object : request_.scene.objects) {
+    auto surface = surface::LimitSurface::build(object.mesh, scene::to_grid(object, grid_));
+    if (!surface) return fail(surface.error().message);
+    surfaces_.push_back(std::move(*surface));
+    two_sided_.push_back(object.two_sided);
+  }
+  scene::to_grid(grid_).multDirMatrix(request_.scene.lights.front().direction, light_);
+  return {};
+}
+
+Result<void> Job::voxelize() {
+  voxel::VoxelizerOptions options;
+  options.subpatches = true;
+  options.threads = request_.settings.threads;
+  options.progress = progress_of("voxelize");
+  auto voxels = voxel::voxelize(surfaces_, grid_, options);
+  if (!voxels) return fail(voxels.error().message);
+  voxels_ = std::move(*voxels);
+  return {};
+}
+
+Result<void> Job::plan() {
+  auto made = plan::plan_vpu(voxels_, light_, request_.settings.vpu);
+  if (!made) return fail(made.error().message);
+  plan_ = std::move(*made);
+  stream_ = plan::vpu_stream(plan_, voxels_, plan::voxel_items(voxels_, plan_.config), two_sided_);
+  return {};
+}
+
+void Job::run_golden() {
+  const auto engine =
+      request_.make_golden ? request_.make_golden(plan_.config) : golden::make_golden_engine(plan_.config);
+  golden_ = stage(report::kGoldenStage,
+                  [&] { return run_stream(*engine, stream_, progress_of(report::kGoldenStage)); });
+}
+
+void Job::run_rtl() {
+  sim::RtlOptions options;
+  options.seed = request_.seed;
+  options.abort = request_.abort;
+  options.progress = [this](const sim::Progress& p) {
+    progress(report::kRtlStage, static_cast<double>(p.words) / static_cast<double>(stream_.size()));
+  };
+  // The first run of a configuration compiles its model; that is no time of the simulation's.
+  const auto engine = stage("rtl model", [&] {
+    return request_.make_rtl ? request_.make_rtl(plan_.config, options)
+                             : sim::make_rtl_engine(plan_.config, options);
+  });
+  RtlAnswers answers = stage(report::kRtlStage, [&] {
+    return run_compared(*engine, stream_, golden_, request_.seed, report::shell_line(request_.command_line));
+  });
+  record_.compare = std::move(answers.compare);
+  record_.cycles = std::move(answers.cycles);
+}
+
+Result<void> Job::decode() {
+  const auto results = plan::voxel_results(golden_.results, voxels_.voxels.size());
+  if (!results) return fail(results.error().message);
+  states_.reserve(results->size());
+  for (const golden::VoxelResult& result : *results) states_.push_back(result.state);
+  return {};
+}
+
+void Job::measure_errors() {
+  const std::vector<golden::VoxelState> in_double =
+      stage(report::kDoubleStage, [&] { return plan::offset_states_double(plan_, voxels_, two_sided_); });
+  const metrics::ShadowTruth truth = stage(report::kExactStage, [&] {
+    exact_.emplace(surfaces_, two_sided_, metrics::DirectionalLight{light_});
+    metrics::TruthOptions options;
+    options.progress = progress_of(report::kExactStage);
+    options.cancelled = [this] { return aborted(); };
+    return metrics::shadow_truth(*exact_, surfaces_, voxels_, options);
+  });
+  stage("errors", [&] {
+    record_.errors = errors_record(truth, voxels_, states_, in_double,
+                                   {ground_of(request_.scene), plan_.projection.pitch});
+    record_.exact = exact_record(*exact_, truth);
+  });
+}
+
+Pictures Job::draw() {
+  const Mat4 to_grid = scene::to_grid(grid_);
+  const scene::Camera& from = request_.scene.camera;
+  render::Camera camera{from.eye * to_grid, from.target * to_grid, {}, from.fov};
+  to_grid.multDirMatrix(from.up, camera.up);
+  const auto objects = static_cast<std::uint32_t>(surfaces_.size());
+  const std::vector<render::Material> materials =
+      render::default_materials(objects, ground_of(request_.scene).value_or(objects));
+
+  render::PictureOptions options;
+  options.width = request_.settings.image_width;
+  options.height = request_.settings.image_height;
+  options.cancelled = [this] { return aborted(); };
+  const render::Light light{light_};
+  std::optional<render::PictureScene> scene;
+  Pictures pictures;
+  options.progress = progress_of("picture");
+  pictures.picture = stage("picture", [&] {
+    scene.emplace(surfaces_, voxels_);
+    return scene->render(camera, light, materials, states_, options);
+  });
+  options.progress = progress_of("reference picture");
+  pictures.reference = stage("reference picture", [&] {
+    return scene->render_reference(camera, light, materials, *exact_, options);
+  });
+  pictures.error = stage("error map", [&] {
+    record_.picture = picture_record(pictures.picture, pictures.reference);
+    return render::error_map(pictures.picture, pictures.reference);
+  });
+  return pictures;
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Result<void> Job::write(const report::OutputDirectory& output, const Pictures& pictures) {
+  const auto png = [&](const char* name, const render::Image& image) -> Result<std::string> {
+    if (auto written = render::write_png(image, output.staging() / name); !written)
+      return fail(written.error().message);
+    return content_of(output.staging() / name);
+  };
+  const Result<std::string> image = png("image.png", pictures.picture.image);
+  const Result<std::string> reference = png("reference.png", pictures.reference.image);
+  const Result<std::string> error = png("error.png", pictures.error);
+  for (const auto* file : {&image, &reference, &error}) {
+    if (!*file) return fail(file->error().message);
+  }
+  if (const auto problem = golden::save_stream(output.staging() / "stream.gnomon", plan_.config, stream_)) {
+    return fail(*problem);
+  }
+  if (auto done = output.write("voxels.npy", voxels_npy(voxels_, states_)); !done) return done;
+  const nlohmann::ordered_json metrics = report::metrics_json(record_);
+  if (auto done = output.write("metrics.json", metrics.dump(2) + "\n"); !done) return done;
+  return output.write("report.html", report::report_page(metrics, {*image, *reference, *error}));
+}
+
+Result<RunOutcome> Job::run() {
+  auto output = report::OutputDirectory::create(request_.output);
+  if (!output) return fail(output.error().message);
+
+  if (auto done = stage("surface", [&] { return build_surfaces(); }); !done)
+    return fail(done.error().message);
+  if (auto done = stage("voxelize", [&] { return voxelize(); }); !done) return fail(done.error().message);
+  if (auto done = stage("plan", [&] { return plan(); }); !done) return fail(done.error().message);
+  run_golden();
+  if (request_.engine == EngineKind::Rtl) run_rtl();
+  if (auto done = stage("decode", [&] { return decode(); }); !done) return fail(done.error().message);
+  measure_errors();
+  const Pictures pictures = draw();
+
+  record_.grid = voxels_.grid;
+  record_.voxel_statistics = voxels_.statistics;
+  record_.voxels = voxels_.voxels.size();
+  record_.hardware = plan_.config;
+  record_.registers = register_records(plan_);
+  record_.command_words = stream_.size();
+  record_.plane = {static_cast<std::uint32_t>(plan_.config.plane_side()), golden_.plane_entries_hit,
+                   plan_.projection.pitch};
+  record_.events = golden_.counters.events;
+  record_.stages = clock_.stages();
+  record_.peak_memory_bytes = peak_memory_bytes();
+  if (auto done = write(*output, pictures); !done) return fail(done.error().message);
+  progress("report", 1);
+  if (auto done = output->commit("metrics.json"); !done) return fail(done.error().message);
+  return RunOutcome{record_.compare, report::metrics_json(record_), request_.output};
+}
+
+/// What cannot be run, before anything is.
+Result<void> check(const RunRequest& request) {
+  if (request.settings.technique != "voxel-offset") {
+    return fail(fmt::format("technique={} is unknown, expected voxel-offset", request.settings.technique));
+  }
+  if (request.scene.lights.size() != 1) {
+    return fail(fmt::format("{}: has {} lights, expected one: voxel-offset takes a single directional light",
+                            request.scene.source.string(), request.scene.lights.size()));
+  }
+  if (request.scene.objects.empty())
+    return fail(request.scene.source.string() + ": has no objects, expected at least one");
+  return {};
+}
+
+}  // namespace
+
+Result<RunOutcome> run(const RunRequest& request) {
+  if (auto usable = check(request); !usable) return fail(usable.error().message);
+  const unsigned threads = request.settings.threads;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()));
+  try {
+    return Job(request).run();
+  } catch (const metrics::Cancelled&) {
+    return fail("interrupted");
+  } catch (const sim::Aborted&) {
+    return fail("interrupted");
+  } catch (const sim::ModelBuildError& error) {
+    return fail(error.what());
+  }
+}
+
+}  // namespace gnomon::pipeline
