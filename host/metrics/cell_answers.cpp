@@ -20,7 +20,7 @@ std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z, bool dark) {
   return (static_cast<std::uint64_t>(cell) << 1) | (dark ? 1u : 0u);
 }
 
-std::int64_t floor_of(float value) {
+std::int64_t floor_of(double value) {
   return static_cast<std::int64_t>(std::floor(value));
 }
 
@@ -36,17 +36,21 @@ unsigned answers_in_row(const std::vector<std::uint64_t>& sorted, int x, int y, 
 }  // namespace
 
 std::vector<std::uint8_t> unambiguous_voxels(const voxel::VoxelSet& voxels,
-                                             const std::vector<Exact>& voxel_answers,
-                                             const std::vector<SurfaceSample>& samples) {
-  std::vector<std::uint64_t> seen(samples.size() + voxel_answers.size());
+                                             std::span<const Exact> voxel_answers,
+                                             std::span<const SurfaceSample> samples,
+                                             std::span<const Vec3> border) {
+  std::vector<std::uint64_t> seen(samples.size());
   tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
     const SurfaceSample& s = samples[i];
-    seen[i] = key(floor_of(s.x), floor_of(s.y), floor_of(s.z), in_shadow(s.exact));
+    seen[i] = key(floor_of(double{s.x}), floor_of(double{s.y}), floor_of(double{s.z}), in_shadow(s.exact));
   });
   for (std::size_t i = 0; i < voxel_answers.size(); ++i) {
     const voxel::Voxel& v = voxels.voxels[i];
-    seen[samples.size() + i] = key(v.x, v.y, v.z, in_shadow(voxel_answers[i]));
+    seen.push_back(key(v.x, v.y, v.z, in_shadow(voxel_answers[i])));
   }
+  for (const Vec3& p : border)
+    for (const bool dark : {false, true})
+      seen.push_back(key(floor_of(p.x), floor_of(p.y), floor_of(p.z), dark));
   tbb::parallel_sort(seen.begin(), seen.end());
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
   std::vector<std::uint8_t> result(voxels.voxels.size());

@@ -3,16 +3,18 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/metrics/shadow_truth.hpp"
 
 namespace gnomon::metrics {
 
-/// For every voxel, 1 if all samples and all representatives in its cell and the 26 around it have the same
-/// lit or shadow answer. Sorts 8 bytes a sample.
+/// For every voxel, 1 if in its cell and the 26 around it all samples and representatives have the same lit
+/// or shadow answer, and no point of the shadow's border lies there. Sorts 8 bytes a sample.
 std::vector<std::uint8_t> unambiguous_voxels(const voxel::VoxelSet& voxels,
-                                             const std::vector<Exact>& voxel_answers,
-                                             const std::vector<SurfaceSample>& samples);
+                                             std::span<const Exact> voxel_answers,
+                                             std::span<const SurfaceSample> samples,
+                                             std::span<const Vec3> border);
 
 }  // namespace gnomon::metrics

@@ -48,6 +48,13 @@ void choose(const surface::LimitSurface& surface, FaceGrid& grid, double spacing
   grid.nv = cells_for(along_v, spacing);
 }
 
+/// The finaliser of splitmix64: every input bit changes about half of the output's.
+std::uint64_t scramble(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
+  return x ^ (x >> 31);
+}
+
 std::vector<GridRow> rows(const std::vector<FaceGrid>& faces, std::uint32_t extra) {
   std::vector<GridRow> result;
   for (std::uint32_t g = 0; g < faces.size(); ++g)
@@ -56,6 +63,14 @@ std::vector<GridRow> rows(const std::vector<FaceGrid>& faces, std::uint32_t extr
 }
 
 }  // namespace
+
+std::array<double, 2> sample_parameter(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) {
+  const std::uint64_t which = (std::uint64_t{grid.object} << 32) | grid.face;
+  const std::uint64_t noise = scramble(scramble(which) ^ ((std::uint64_t{j} << 32) | i));
+  const double s = (static_cast<double>(noise & 0xFFFFF) + 0.5) / 0x100000;
+  const double t = (static_cast<double>(noise >> 44) + 0.5) / 0x100000;
+  return {(i + s) / grid.nu, (j + t) / grid.nv};
+}
 
 std::vector<GridRow> SampleGrids::cell_rows() const {
   return rows(faces, 0);

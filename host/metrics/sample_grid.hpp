@@ -2,6 +2,7 @@
 // A regular grid of samples on every parametric face, dense enough for the asked spacing.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,6 +24,10 @@ struct FaceGrid {
     return first_node + std::size_t{j} * (nu + 1) + i;
   }
 };
+
+/// Where in cell (i, j) its sample lies, in parameters: anywhere in it, evenly spread, always the same.
+/// Samples at the centres would keep step with the voxels wherever a surface runs along the grid.
+std::array<double, 2> sample_parameter(const FaceGrid& grid, std::uint32_t i, std::uint32_t j);
 
 /// One row of one face: the unit of work that threads share.
 struct GridRow {

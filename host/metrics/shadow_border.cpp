@@ -20,8 +20,19 @@ double seen_length(const Vec3& step, const Vec3& to_light) {
   return (step - to_light * step.dot(to_light)).length();
 }
 
-void add(BorderLength& border, Exact shadow_side, double length) {
-  (shadow_side == Exact::Attached ? border.attached : border.cast) += length;
+/// What one thread found in one piece of work.
+struct Part {
+  BorderLength length;
+  std::vector<Vec3> points;
+
+  void add(Exact shadow_side, double piece) {
+    (shadow_side == Exact::Attached ? length.attached : length.cast) += piece;
+  }
+};
+
+void join(ShadowBorder& border, std::size_t object, const Part& part) {
+  border.length[object] = border.length[object] + part.length;
+  border.points.insert(border.points.end(), part.points.begin(), part.points.end());
 }
 
 struct Crossing {
@@ -32,8 +43,8 @@ struct Crossing {
 class Tracer {
  public:
   Tracer(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
-         const SampleGrids& grids, std::span<const Exact> centers)
-      : reference_(reference), surfaces_(surfaces), grids_(grids), centers_(centers), nodes_(grids.nodes) {
+         const SampleGrids& grids, std::span<const Exact> samples)
+      : reference_(reference), surfaces_(surfaces), grids_(grids), samples_(samples), nodes_(grids.nodes) {
     const std::vector<GridRow> rows = grids.node_rows();
     tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t r) {
       const FaceGrid& grid = grids_.faces[rows[r].grid];
@@ -42,9 +53,9 @@ class Tracer {
     });
   }
 
-  BorderLength row(const GridRow& where) const {
+  Part row(const GridRow& where) const {
     const FaceGrid& grid = grids_.faces[where.grid];
-    BorderLength border;
+    Part border;
     for (std::uint32_t i = 0; i < grid.nu; ++i) trace_cell(grid, i, where.row, border);
     return border;
   }
@@ -52,9 +63,9 @@ class Tracer {
  private:
   Exact node_answer(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) const {
     if (i > 0 && j > 0 && i < grid.nu && j < grid.nv) {
-      const Exact a = centers_[grid.cell(i - 1, j - 1)];
-      if (a == centers_[grid.cell(i, j - 1)] && a == centers_[grid.cell(i - 1, j)] &&
-          a == centers_[grid.cell(i, j)])
+      const Exact a = samples_[grid.cell(i - 1, j - 1)];
+      if (a == samples_[grid.cell(i, j - 1)] && a == samples_[grid.cell(i - 1, j)] &&
+          a == samples_[grid.cell(i, j)])
         return a;
     }
     return exact_at(reference_, surfaces_, grid.object, grid.face, static_cast<double>(i) / grid.nu,
@@ -85,7 +96,7 @@ class Tracer {
     return {surfaces_[grid.object].position(grid.face, u, v), in_shadow(low) ? low : high};
   }
 
-  void trace_cell(const FaceGrid& grid, std::uint32_t i, std::uint32_t j, BorderLength& border) const {
+  void trace_cell(const FaceGrid& grid, std::uint32_t i, std::uint32_t j, Part& border) const {
     // Corners anticlockwise; side k runs from corner k to corner k + 1.
     const std::array<bool, 4> dark = {
         in_shadow(nodes_[grid.node(i, j)]), in_shadow(nodes_[grid.node(i + 1, j)]),
@@ -98,22 +109,24 @@ class Tracer {
     }
     if (count == 2) add_segment(crossings[0], crossings[1], border);
     if (count < 4) return;
-    // A saddle: the centre says whether the corners like it are connected through the cell.
-    const bool connected = in_shadow(centers_[grid.cell(i, j)]) == dark[0];
+    // A saddle: the sample inside says whether the corners like it are connected through the cell.
+    const bool connected = in_shadow(samples_[grid.cell(i, j)]) == dark[0];
     add_segment(crossings[0], crossings[connected ? 1 : 3], border);
     add_segment(crossings[2], crossings[connected ? 3 : 1], border);
   }
 
-  void add_segment(const Crossing& a, const Crossing& b, BorderLength& border) const {
+  void add_segment(const Crossing& a, const Crossing& b, Part& border) const {
     const double length = seen_length(b.point - a.point, reference_.to_light());
-    add(border, a.shadow_side, 0.5 * length);
-    add(border, b.shadow_side, 0.5 * length);
+    border.add(a.shadow_side, 0.5 * length);
+    border.add(b.shadow_side, 0.5 * length);
+    border.points.push_back(a.point);
+    border.points.push_back((a.point + b.point) * 0.5);
   }
 
   const ExactReference& reference_;
   std::span<const surface::LimitSurface> surfaces_;
   const SampleGrids& grids_;
-  std::span<const Exact> centers_;
+  std::span<const Exact> samples_;
   std::vector<Exact> nodes_;
 };
 
@@ -124,8 +137,8 @@ class CreaseTracer {
                std::uint32_t object, double spacing)
       : reference_(reference), surfaces_(surfaces), object_(object), spacing_(spacing) {}
 
-  BorderLength group(BorderGroup pieces) const {
-    BorderLength border;
+  Part group(BorderGroup pieces) const {
+    Part border;
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
       // Two halves meet wherever their wholes do; those are counted there.
       if (pieces[i].whole() || pieces[i + 1].whole()) pair(pieces[i], pieces[i + 1], border);
@@ -143,7 +156,7 @@ class CreaseTracer {
     return exact_at(reference_, surfaces_, object_, piece.face, u, v);
   }
 
-  void pair(const BorderPiece& a, const BorderPiece& b, BorderLength& border) const {
+  void pair(const BorderPiece& a, const BorderPiece& b, Part& border) const {
     double length = 0;
     for (int k = 0; k < 8; ++k) length += (point(a, (k + 1) / 8.0) - point(a, k / 8.0)).length();
     const int steps = std::max(1, static_cast<int>(std::ceil(length / spacing_)));
@@ -152,8 +165,10 @@ class CreaseTracer {
       const Vec3 to = point(a, (k + 1.0) / steps);
       const Exact one = answer(a, (k + 0.5) / steps);
       const Exact other = answer(b, (k + 0.5) / steps);
-      if (in_shadow(one) != in_shadow(other))
-        add(border, in_shadow(one) ? one : other, seen_length(to - from, reference_.to_light()));
+      if (in_shadow(one) != in_shadow(other)) {
+        border.add(in_shadow(one) ? one : other, seen_length(to - from, reference_.to_light()));
+        border.points.push_back((from + to) * 0.5);
+      }
       from = to;
     }
   }
@@ -164,36 +179,32 @@ class CreaseTracer {
   double spacing_;
 };
 
-BorderLength along_creases(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
-                           std::uint32_t object, double spacing) {
+void along_creases(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
+                   std::uint32_t object, double spacing, ShadowBorder& border) {
   std::vector<std::uint32_t> faces(surfaces[object].face_count());
   std::iota(faces.begin(), faces.end(), 0u);
   const FaceBorders borders(surfaces[object], faces);
   const CreaseTracer tracer(reference, surfaces, object, spacing);
-  std::vector<BorderLength> parts(borders.size());
+  std::vector<Part> parts(borders.size());
   tbb::parallel_for(std::size_t{0}, borders.size(),
                     [&](std::size_t g) { parts[g] = tracer.group(borders[g]); });
-  return std::accumulate(parts.begin(), parts.end(), BorderLength{});
+  for (const Part& part : parts) join(border, object, part);
 }
 
 }  // namespace
 
-std::vector<BorderLength> shadow_border(const ExactReference& reference,
-                                        std::span<const surface::LimitSurface> surfaces,
-                                        const SampleGrids& grids, std::span<const Exact> centers,
-                                        double spacing) {
-  const Tracer tracer(reference, surfaces, grids, centers);
+ShadowBorder shadow_border(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
+                           const SampleGrids& grids, std::span<const Exact> samples, double spacing) {
+  const Tracer tracer(reference, surfaces, grids, samples);
   const std::vector<GridRow> rows = grids.cell_rows();
-  std::vector<BorderLength> parts(rows.size());
+  std::vector<Part> parts(rows.size());
   tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t r) { parts[r] = tracer.row(rows[r]); });
-  std::vector<BorderLength> border(surfaces.size());
+  ShadowBorder border;
+  border.length.resize(surfaces.size());
   for (std::uint32_t object = 0; object < surfaces.size(); ++object)
-    border[object] = along_creases(reference, surfaces, object, spacing);
-  // Summed in row order, so that the last bits do not depend on the threads.
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    BorderLength& sum = border[grids.faces[rows[r].grid].object];
-    sum = sum + parts[r];
-  }
+    along_creases(reference, surfaces, object, spacing, border);
+  // Joined in row order, so that the last bits do not depend on the threads.
+  for (std::size_t r = 0; r < rows.size(); ++r) join(border, grids.faces[rows[r].grid].object, parts[r]);
   return border;
 }
 

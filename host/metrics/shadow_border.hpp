@@ -10,13 +10,16 @@
 
 namespace gnomon::metrics {
 
-/// Border length by object. `centers` holds the answers at the cells' centres: where all around a node agree,
-/// it is not asked again. Inside faces the border is a polyline through crossings found by bisection on the
-/// grid's lines; where it runs along a crease the two faces' answers are compared along their common border,
-/// in steps of about `spacing` voxels.
-std::vector<BorderLength> shadow_border(const ExactReference& reference,
-                                        std::span<const surface::LimitSurface> surfaces,
-                                        const SampleGrids& grids, std::span<const Exact> centers,
-                                        double spacing);
+struct ShadowBorder {
+  std::vector<BorderLength> length;  ///< by object that receives the shadow
+  std::vector<Vec3> points;          ///< on the border, about two a grid cell that it crosses
+};
+
+/// The border over all objects. `samples` holds the answers of the cells' samples: where all around a node
+/// agree, it is not asked again. Inside faces the border is a polyline through crossings found by bisection
+/// on the grid's lines; where it runs along a crease the two faces' answers are compared along their common
+/// border, in steps of about `spacing` voxels.
+ShadowBorder shadow_border(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
+                           const SampleGrids& grids, std::span<const Exact> samples, double spacing);
 
 }  // namespace gnomon::metrics

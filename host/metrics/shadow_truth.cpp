@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "host/metrics/cell_answers.hpp"
 #include "host/metrics/sample_grid.hpp"
@@ -23,8 +24,7 @@ class Sampler {
 
   SurfaceSample sample(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) const {
     const surface::LimitSurface& surface = surfaces_[grid.object];
-    const double u = (i + 0.5) / grid.nu;
-    const double v = (j + 0.5) / grid.nv;
+    const auto [u, v] = sample_parameter(grid, i, j);
     const surface::SurfacePoint p = surface.evaluate(grid.face, u, v);
     const Vec3 across = p.du.cross(p.dv);
     const double area = std::abs(across.dot(reference_.to_light())) / (double{1} * grid.nu * grid.nv);
@@ -79,10 +79,11 @@ ShadowTruth shadow_truth(const ExactReference& reference, std::span<const surfac
   const SampleGrids grids = sample_grids(surfaces, options.spacing);
   truth.samples = take_samples(Sampler(reference, surfaces, voxels), grids, options);
   truth.voxels = voxel_answers(reference, surfaces, voxels);
-  truth.unambiguous = unambiguous_voxels(voxels, truth.voxels, truth.samples);
-  std::vector<Exact> centers(truth.samples.size());
-  for (std::size_t i = 0; i < centers.size(); ++i) centers[i] = truth.samples[i].exact;
-  truth.border = shadow_border(reference, surfaces, grids, centers, options.spacing);
+  std::vector<Exact> answers(truth.samples.size());
+  for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = truth.samples[i].exact;
+  ShadowBorder border = shadow_border(reference, surfaces, grids, answers, options.spacing);
+  truth.unambiguous = unambiguous_voxels(voxels, truth.voxels, truth.samples, border.points);
+  truth.border = std::move(border.length);
   truth.rays = reference.rays() - rays_before;
   truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return truth;

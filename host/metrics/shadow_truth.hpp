@@ -16,12 +16,12 @@
 namespace gnomon::metrics {
 
 struct TruthOptions {
-  double spacing = 0.5;  ///< voxels: surface samples are no farther apart along either parameter
+  double spacing = 0.5;                       ///< voxels: sides of the rectangles that have one sample each
   std::function<void(double done)> progress;  ///< called with 0..1, one call at a time; may be empty
   std::function<bool()> cancelled;            ///< polled; true makes it end with Cancelled; may be empty
 };
 
-/// One sample: the centre of a small rectangle of parameter space.
+/// One sample, somewhere in its small rectangle of parameter space.
 struct SurfaceSample {
   float x, y, z;        ///< grid coordinates
   float light_area;     ///< voxels^2: the rectangle's area projected along the light
@@ -44,7 +44,7 @@ struct BorderLength {
 struct ShadowTruth {
   std::vector<Exact> voxels;  ///< at each voxel's representative point
   std::vector<std::uint8_t>
-      unambiguous;  ///< 1 where all samples in the voxel's cell and its 26 neighbours agree
+      unambiguous;  ///< 1 where the voxel's cell and its 26 neighbours hold one answer only
   std::vector<SurfaceSample> samples;
   std::vector<BorderLength> border;  ///< by object that receives the shadow
   std::uint64_t rays = 0;
