@@ -71,7 +71,9 @@ Displacement measure(const Scene& scene, const SlbConfig& config, int per_pixel,
         const std::int64_t px = (2 * x + 1) << (kPointBits - q - 1), py = (2 * y + 1) << (kPointBits - q - 1);
         const bool expected = oracle.covered(px, py);
         const bool answer = model.query({x, y, 1}, 0).shadow;
-        const auto map = [&](int bits) { return oracle.covered(sample_point(px, bits), sample_point(py, bits)); };
+        const auto map = [&](int bits) {
+          return oracle.covered(sample_point(px, bits), sample_point(py, bits));
+        };
         ++result.queries;
         if (answer != expected) {
           ++result.wrong;

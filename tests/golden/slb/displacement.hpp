@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <gnomon/golden/slb/model.hpp>
 
 #include "tests/golden/slb/shapes.hpp"

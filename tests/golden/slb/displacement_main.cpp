@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the mean border displacement of the silhouette-line buffer for every shape, F, S and K (docs/slb.md, "Measured").
+// Prints the mean border displacement of the silhouette-line buffer for every shape, F, S and K (docs/slb.md,
+// "Measured").
 #include <charconv>
 #include <cstdio>
 #include <cstring>
@@ -33,13 +34,20 @@ bool parse(int argc, char** argv, Options& options) {
     }
     if (i + 1 == argc) return false;
     const char* value = argv[++i];
-    if (key == "--frac-first") options.frac_first = number(value);
-    else if (key == "--frac-last") options.frac_last = number(value);
-    else if (key == "--extra-slope") options.extra_slope = number(value);
-    else if (key == "--instances") options.instances = number(value);
-    else if (key == "--per-pixel") options.per_pixel = number(value);
-    else if (key == "--shape") options.only = value;
-    else return false;
+    if (key == "--frac-first")
+      options.frac_first = number(value);
+    else if (key == "--frac-last")
+      options.frac_last = number(value);
+    else if (key == "--extra-slope")
+      options.extra_slope = number(value);
+    else if (key == "--instances")
+      options.instances = number(value);
+    else if (key == "--per-pixel")
+      options.per_pixel = number(value);
+    else if (key == "--shape")
+      options.only = value;
+    else
+      return false;
   }
   return options.instances > 0 && options.per_pixel > 0;
 }
@@ -68,7 +76,8 @@ void row(const Shape& shape, int frac, const Options& options) {
     std::printf(" | K=%d %6.3f (%.6f px, dropped %llu of %llu)", frags, sum.ratio(), sum.mean(),
                 static_cast<unsigned long long>(sum.dropped), static_cast<unsigned long long>(sum.chains));
     if (frags == 4)
-      std::printf(" | map %.4f px, 2^F finer %.6f px", sum.wrong_area_plain / sum.length, sum.wrong_area_fine / sum.length);
+      std::printf(" | map %.4f px, 2^F finer %.6f px", sum.wrong_area_plain / sum.length,
+                  sum.wrong_area_fine / sum.length);
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -79,9 +88,10 @@ void row(const Shape& shape, int frac, const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   if (!parse(argc, argv, options)) {
-    std::fprintf(stderr,
-                 "usage: slb_displacement [--frac-first F] [--frac-last F] [--extra-slope S-F] [--instances N]\n"
-                 "                        [--per-pixel N] [--shape NAME] [--published]\n");
+    std::fprintf(
+        stderr,
+        "usage: slb_displacement [--frac-first F] [--frac-last F] [--extra-slope S-F] [--instances N]\n"
+        "                        [--per-pixel N] [--shape NAME] [--published]\n");
     return 2;
   }
   for (const Shape& s : shapes())

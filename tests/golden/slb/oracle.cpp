@@ -24,7 +24,8 @@ Oracle::Oracle(const Scene& scene, const SlbConfig& config) : side_(config.side(
       const std::int64_t last = std::clamp<std::int64_t>(std::max(e.y0, e.y1) >> kPointBits, 0, side_ - 1);
       for (std::int64_t row = first; row <= last; ++row) by_row[static_cast<std::size_t>(row)].push_back(e);
       const double one = std::ldexp(1.0, kPointBits);
-      const double length = std::hypot(static_cast<double>(e.x1 - e.x0), static_cast<double>(e.y1 - e.y0)) / one;
+      const double length =
+          std::hypot(static_cast<double>(e.x1 - e.x0), static_cast<double>(e.y1 - e.y0)) / one;
       const int steps = static_cast<int>(length * 64) + 1;
       for (int i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) / steps;
@@ -80,7 +81,8 @@ double Oracle::distance(std::int64_t x, std::int64_t y) const {
 }
 
 bool Oracle::near_outline(std::int64_t column, std::int64_t row) const {
-  return outline_[static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column)];
+  return outline_[static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) +
+                  static_cast<std::size_t>(column)];
 }
 
 }  // namespace gnomon::golden::slb::testing

@@ -9,7 +9,8 @@
 
 namespace gnomon::golden::slb::testing {
 
-/// Points are given in 2^-kPointBits pixels; must not lie on an edge's end points' rows (odd values never do).
+/// Points are given in 2^-kPointBits pixels; must not lie on an edge's end points' rows (odd values never
+/// do).
 inline constexpr int kPointBits = 18;
 
 class Oracle {

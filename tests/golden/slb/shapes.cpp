@@ -12,9 +12,13 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-double middle(const SlbConfig& config) { return config.side() / 2.0; }
+double middle(const SlbConfig& config) {
+  return config.side() / 2.0;
+}
 
-Scene one(Polygon polygon, const SlbConfig& config) { return {{quantise(polygon, config)}}; }
+Scene one(Polygon polygon, const SlbConfig& config) {
+  return {{quantise(polygon, config)}};
+}
 
 Scene random_polygon(const SlbConfig& config, std::uint64_t instance) {
   Random random(instance);
@@ -28,19 +32,27 @@ Scene strip(const SlbConfig& config, std::uint64_t instance, double width) {
   const Point centre{m + random.between(-2, 2), m + random.between(-2, 2)};
   const double c = std::cos(angle), s = std::sin(angle);
   Polygon polygon;
-  for (const auto& [along, across] : {Point{-length, -width / 2}, {length, -width / 2}, {length, width / 2}, {-length, width / 2}})
+  for (const auto& [along, across] :
+       {Point{-length, -width / 2}, {length, -width / 2}, {length, width / 2}, {-length, width / 2}})
     polygon.push_back({centre.x + along * c - across * s, centre.y + along * s + across * c});
   return one(polygon, config);
 }
-Scene strip_1(const SlbConfig& config, std::uint64_t i) { return strip(config, i, 1.0); }
-Scene strip_05(const SlbConfig& config, std::uint64_t i) { return strip(config, i, 0.5); }
-Scene strip_01(const SlbConfig& config, std::uint64_t i) { return strip(config, i, 0.1); }
+Scene strip_1(const SlbConfig& config, std::uint64_t i) {
+  return strip(config, i, 1.0);
+}
+Scene strip_05(const SlbConfig& config, std::uint64_t i) {
+  return strip(config, i, 0.5);
+}
+Scene strip_01(const SlbConfig& config, std::uint64_t i) {
+  return strip(config, i, 0.1);
+}
 
 /// A smooth closed curve of mean radius 22 in edges of the given length.
 Scene smooth(const SlbConfig& config, std::uint64_t instance, int corners) {
   Random random(instance);
   const double m = middle(config), radius = 22.0 / 32.0 * m;
-  const double phase2 = random.between(0, kTurn), phase3 = random.between(0, kTurn), start = random.between(0, kTurn);
+  const double phase2 = random.between(0, kTurn), phase3 = random.between(0, kTurn),
+               start = random.between(0, kTurn);
   const Point centre{m + random.between(-1, 1), m + random.between(-1, 1)};
   Polygon polygon;
   for (int i = 0; i < corners; ++i) {
@@ -50,9 +62,15 @@ Scene smooth(const SlbConfig& config, std::uint64_t instance, int corners) {
   }
   return one(polygon, config);
 }
-Scene smooth_100(const SlbConfig& config, std::uint64_t i) { return smooth(config, i, 100); }
-Scene smooth_05(const SlbConfig& config, std::uint64_t i) { return smooth(config, i, 280); }
-Scene smooth_014(const SlbConfig& config, std::uint64_t i) { return smooth(config, i, 1000); }
+Scene smooth_100(const SlbConfig& config, std::uint64_t i) {
+  return smooth(config, i, 100);
+}
+Scene smooth_05(const SlbConfig& config, std::uint64_t i) {
+  return smooth(config, i, 280);
+}
+Scene smooth_014(const SlbConfig& config, std::uint64_t i) {
+  return smooth(config, i, 1000);
+}
 
 /// Teeth half a pitch wide and half a pitch high.
 Scene gear(const SlbConfig& config, std::uint64_t instance, double pitch) {
@@ -69,9 +87,15 @@ Scene gear(const SlbConfig& config, std::uint64_t instance, double pitch) {
   }
   return one(polygon, config);
 }
-Scene gear_5(const SlbConfig& config, std::uint64_t i) { return gear(config, i, 5); }
-Scene gear_3(const SlbConfig& config, std::uint64_t i) { return gear(config, i, 3); }
-Scene gear_2(const SlbConfig& config, std::uint64_t i) { return gear(config, i, 2); }
+Scene gear_5(const SlbConfig& config, std::uint64_t i) {
+  return gear(config, i, 5);
+}
+Scene gear_3(const SlbConfig& config, std::uint64_t i) {
+  return gear(config, i, 3);
+}
+Scene gear_2(const SlbConfig& config, std::uint64_t i) {
+  return gear(config, i, 2);
+}
 
 /// Both loops hold the corners of the common edges, in opposite order.
 Scene sharing(const SlbConfig& config, std::uint64_t instance) {
@@ -104,8 +128,10 @@ Scene pixel_corners(const SlbConfig& config, std::uint64_t instance) {
 Scene grid_rectangle(const SlbConfig& config, std::uint64_t instance) {
   Random random(instance);
   const auto side = static_cast<std::int64_t>(config.side());
-  const auto x0 = static_cast<double>(random.integer(0, side / 2)), y0 = static_cast<double>(random.integer(0, side / 2));
-  const double x1 = x0 + static_cast<double>(random.integer(1, side / 2)), y1 = y0 + static_cast<double>(random.integer(1, side / 2));
+  const auto x0 = static_cast<double>(random.integer(0, side / 2)),
+             y0 = static_cast<double>(random.integer(0, side / 2));
+  const double x1 = x0 + static_cast<double>(random.integer(1, side / 2)),
+               y1 = y0 + static_cast<double>(random.integer(1, side / 2));
   return one({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, config);
 }
 
@@ -118,8 +144,12 @@ std::uint64_t Random::bits() {
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
   return z ^ (z >> 31);
 }
-double Random::unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-double Random::between(double low, double high) { return low + (high - low) * unit(); }
+double Random::unit() {
+  return static_cast<double>(bits() >> 11) * 0x1p-53;
+}
+double Random::between(double low, double high) {
+  return low + (high - low) * unit();
+}
 std::int64_t Random::integer(std::int64_t low, std::int64_t high) {
   return low + static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(high - low + 1));
 }
@@ -137,7 +167,8 @@ Polygon star(Random& random, int corners, double low, double high, Point centre)
 Loop quantise(const Polygon& polygon, const SlbConfig& config, std::uint32_t depth) {
   Loop loop;
   const auto scale = static_cast<double>(config.subpixels());
-  for (const Point& p : polygon) loop.push_back({std::llround(p.x * scale), std::llround(p.y * scale), depth});
+  for (const Point& p : polygon)
+    loop.push_back({std::llround(p.x * scale), std::llround(p.y * scale), depth});
   return loop;
 }
 
@@ -154,16 +185,19 @@ double perimeter(const Scene& scene, const SlbConfig& config) {
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all{
-      {"random 24-gon", random_polygon},   {"smooth, edges 1.4 px", smooth_100}, {"smooth, edges 0.5 px", smooth_05},
-      {"smooth, edges 0.14 px", smooth_014}, {"gear, pitch 5 px", gear_5},       {"gear, pitch 3 px", gear_3},
-      {"gear, pitch 2 px", gear_2},        {"strip 1 px", strip_1},              {"strip 0.5 px", strip_05},
-      {"strip 0.1 px", strip_01},          {"sharing an edge", sharing},         {"overlapping", overlapping},
+      {"random 24-gon", random_polygon},   {"smooth, edges 1.4 px", smooth_100},
+      {"smooth, edges 0.5 px", smooth_05}, {"smooth, edges 0.14 px", smooth_014},
+      {"gear, pitch 5 px", gear_5},        {"gear, pitch 3 px", gear_3},
+      {"gear, pitch 2 px", gear_2},        {"strip 1 px", strip_1},
+      {"strip 0.5 px", strip_05},          {"strip 0.1 px", strip_01},
+      {"sharing an edge", sharing},        {"overlapping", overlapping},
       {"pixel corners", pixel_corners},    {"grid rectangle", grid_rectangle}};
   return all;
 }
 
 const Shape& shape(const std::string& name) {
-  const auto found = std::find_if(shapes().begin(), shapes().end(), [&](const Shape& s) { return s.name == name; });
+  const auto found =
+      std::find_if(shapes().begin(), shapes().end(), [&](const Shape& s) { return s.name == name; });
   if (found == shapes().end()) throw std::out_of_range("no shape is called " + name);
   return *found;
 }

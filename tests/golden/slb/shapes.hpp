@@ -3,10 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <gnomon/golden/slb/formats.hpp>
 #include <string>
 #include <vector>
-
-#include <gnomon/golden/slb/formats.hpp>
 
 namespace gnomon::golden::slb::testing {
 
@@ -15,7 +14,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
   std::uint64_t bits();
-  double unit();                                        ///< 0 <= u < 1
+  double unit();  ///< 0 <= u < 1
   double between(double low, double high);
   std::int64_t integer(std::int64_t low, std::int64_t high);  ///< both included
 
@@ -26,9 +25,9 @@ class Random {
 struct Point {
   double x = 0, y = 0;  ///< pixels
 };
-using Polygon = std::vector<Point>;      ///< interior on the left
+using Polygon = std::vector<Point>;  ///< interior on the left
 using Loop = std::vector<Vertex>;
-using Object = std::vector<Loop>;        ///< one flat caster
+using Object = std::vector<Loop>;  ///< one flat caster
 using Scene = std::vector<Object>;
 
 /// Nearest sub-pixel lattice points.
