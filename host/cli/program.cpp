@@ -104,24 +104,24 @@ class Program {
 
   /// What somebody may have meant by an option that does not exist.
   std::string hint(const std::vector<std::string>& arguments) const {
-    const CLI::App* chosen = &app_;
+    std::vector<const CLI::App*> apps{&app_};
     for (const CLI::App* entry : entries_) {
-      if (std::find(arguments.begin(), arguments.end(), entry->get_name()) != arguments.end()) chosen = entry;
+      if (std::find(arguments.begin(), arguments.end(), entry->get_name()) != arguments.end())
+        apps.push_back(entry);
     }
     std::vector<std::string> known;
-    for (const CLI::App* app : {chosen, static_cast<const CLI::App*>(&app_)}) {
+    for (const CLI::App* app : apps) {
       for (const CLI::Option* option : app->get_options()) {
         for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
       }
     }
     const std::vector<std::string_view> views(known.begin(), known.end());
     for (const std::string& argument : arguments) {
-      if (argument == "--") break;
       const std::string name = argument.substr(0, argument.find('='));
       if (!name.starts_with("--") || std::find(known.begin(), known.end(), name) != known.end()) continue;
-      return "; " + config::suggestion(name, views);
+      return fmt::format("; unknown option '{}', {}", name, config::suggestion(name, views));
     }
-    return "; see gnomon " + (chosen == &app_ ? "" : chosen->get_name() + " ") + "--help";
+    return fmt::format("; see gnomon {}--help", apps.size() == 1 ? "" : apps.back()->get_name() + " ");
   }
 
   int run_chosen(const std::vector<std::string>& arguments) {
