@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bins for results, commands and cycles.
+#include "tests/sim/functional_bins.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <gnomon/golden/command.hpp>
+#include <gnomon/golden/stream.hpp>
+
+namespace gnomon::sim::test {
+
+namespace {
+
+using golden::VoxelResult;
+using golden::VoxelState;
+
+/// The ways in which a voxel can be decided (docs/vpu.md, "Resolve").
+std::string voxel_bin(const VoxelResult& result) {
+  const std::string state = result.state == VoxelState::Lit ? "lit" : "shadow";
+  if (result.facing_away)
+    return state + (result.off_plane ? ", facing away, off the plane" : ", facing away");
+  if (result.off_plane) return state + ", off the plane";
+  if (!result.uncertain)
+    return state + (result.nearest == 0xFFFFFF ? ", own entry empty" : ", nothing nearer");
+  if (result.offset_empty) return state + ", uncertain, offset entry empty";
+  if (result.beyond_max) return state + ", uncertain, beyond the largest margin";
+  return state + (result.delta == 0 ? ", uncertain, offset point not behind" : ", uncertain, margin test");
+}
+
+constexpr std::array kVoxelBins{"shadow, facing away",
+                                "shadow, facing away, off the plane",
+                                "lit, off the plane",
+                                "lit, own entry empty",
+                                "lit, nothing nearer",
+                                "lit, uncertain, offset entry empty",
+                                "shadow, uncertain, beyond the largest margin",
+                                "lit, uncertain, offset point not behind",
+                                "lit, uncertain, margin test",
+                                "shadow, uncertain, margin test"};
+
+/// Ops by name; everything the table does not have is "unknown".
+std::string op_name(std::uint8_t op) {
+  switch (static_cast<golden::Op>(op)) {
+    case golden::Op::Nop:
+      return "NOP";
+    case golden::Op::SetRegisters:
+      return "SET_REGISTERS";
+    case golden::Op::ClearPlane:
+      return "CLEAR_PLANE";
+    case golden::Op::Fence:
+      return "FENCE";
+    case golden::Op::ReadPlane:
+      return "READ_PLANE";
+    case golden::Op::ProjectVoxels:
+      return "PROJECT_VOXELS";
+    case golden::Op::ResolveVoxels:
+      return "RESOLVE_VOXELS";
+  }
+  return "unknown";
+}
+
+constexpr std::array kOps{"NOP",        "SET_REGISTERS",  "CLEAR_PLANE",    "FENCE",
+                          "READ_PLANE", "PROJECT_VOXELS", "RESOLVE_VOXELS", "unknown"};
+
+}  // namespace
+
+FunctionalBins::FunctionalBins() {
+  for (const char* bin : kVoxelBins) expect(fmt::format("voxel: {}", bin));
+  for (int error = 1; error <= 5; ++error) expect(fmt::format("error {}", error));
+  for (int sticky = 0; sticky < 8; ++sticky) expect(fmt::format("fence: sticky {:03b}", sticky));
+  for (const bool present : {false, true}) expect(fmt::format("plane entry: present {:d}", present));
+  for (const char* from : kOps) {
+    for (const char* to : kOps) expect(fmt::format("commands: {} then {}", from, to));
+  }
+  for (const char* length : {"0 items", "1 item", "more items"}) {
+    for (const char* op : {"NOP", "SET_REGISTERS", "PROJECT_VOXELS", "RESOLVE_VOXELS"}) {
+      expect(fmt::format("length: {} with {}", op, length));
+    }
+  }
+}
+
+void FunctionalBins::add_results(std::span<const golden::Word> results) {
+  for (const golden::Word word : results) {
+    switch (golden::result_code(word)) {
+      case golden::ResultCode::VoxelState:
+        count("voxel: " + voxel_bin(golden::decode_voxel_result(word)));
+        break;
+      case golden::ResultCode::Error:
+        count(fmt::format("error {}", golden::decode_error_result(word).error));
+        break;
+      case golden::ResultCode::Fence:
+        count(fmt::format("fence: sticky {:03b}", golden::decode_fence_result(word).sticky));
+        break;
+      case golden::ResultCode::PlaneEntry:
+        count(fmt::format("plane entry: present {:d}", golden::decode_plane_entry_result(word).present));
+        break;
+    }
+  }
+}
+
+void FunctionalBins::add_stream(std::span<const golden::Word> stream, const golden::HardwareConfig& config) {
+  golden::CommandReader reader(stream);
+  std::string before;
+  while (const auto command = reader.next()) {
+    const std::string op = op_name(command->header.op);
+    if (!before.empty()) count(fmt::format("commands: {} then {}", before, op));
+    before = op;
+    const std::string length = fmt::format("length: {} with {}", op,
+                                           command->header.count == 0   ? "0 items"
+                                           : command->header.count == 1 ? "1 item"
+                                                                        : "more items");
+    if (counts_.contains(length) && !golden::header_error(command->header, config)) count(length);
+  }
+}
+
+void FunctionalBins::add_cycles(const golden::Counters& counters) {
+  for (const auto& [name, cycles] : counters.cycles) counts_[name] += cycles;
+}
+
+}  // namespace gnomon::sim::test
