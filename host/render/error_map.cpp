@@ -49,8 +49,8 @@ Image error_map(const Picture& picture, const Picture& reference) {
   if (picture.image.width != reference.image.width || picture.image.height != reference.image.height ||
       picture.mask.size() != reference.mask.size() || pixels == 0)
     throw std::invalid_argument("the picture and its reference differ in size");
-  const auto super =
-      static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(picture.mask.size() / pixels))));
+  const std::size_t samples_per_pixel = picture.mask.size() / pixels;
+  const auto super = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(samples_per_pixel))));
   const auto width = static_cast<std::size_t>(picture.image.width);
   Image map{picture.image.width, picture.image.height, std::vector<std::uint8_t>(3 * pixels)};
   for (std::size_t p = 0; p < pixels; ++p) {
