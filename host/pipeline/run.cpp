@@ -9,6 +9,7 @@
 #include <gnomon/golden/golden_engine.hpp>
 #include <gnomon/golden/stream_io.hpp>
 #include <iterator>
+#include <stdexcept>
 #include <thread>
 
 #include "host/pipeline/engines.hpp"
@@ -43,11 +44,14 @@ class Job {
   Result<void> voxelize();
   Result<void> plan();
   void run_golden();
-  void run_rtl();
+  Result<std::unique_ptr<sim::RtlEngine>> make_rtl(const sim::RtlOptions& options) const;
+  Result<void> run_rtl();
   Result<void> decode();
   void measure_errors();
+  void finish_record();
   Pictures draw();
-  Result<void> write(const report::OutputDirectory& output, const Pictures& pictures);
+  Result<void> write(const report::OutputDirectory& output, const nlohmann::ordered_json& metrics,
+                     const Pictures& pictures) const;
 
   bool aborted() const { return request_.abort != nullptr && request_.abort->load(); }
   /// To be called from within stages as often as one likes.
@@ -121,23 +125,30 @@ void Job::run_golden() {
                   [&] { return run_stream(*engine, stream_, progress_of(report::kGoldenStage)); });
 }
 
-void Job::run_rtl() {
+/// The first run of a configuration compiles its model; without a compiler or a cache that is the user's to
+/// cure.
+Result<std::unique_ptr<sim::RtlEngine>> Job::make_rtl(const sim::RtlOptions& options) const try {
+  return request_.make_rtl ? request_.make_rtl(plan_.config, options)
+                           : sim::make_rtl_engine(plan_.config, options);
+} catch (const std::runtime_error& error) {
+  return fail(error.what());
+}
+
+Result<void> Job::run_rtl() {
   sim::RtlOptions options;
   options.seed = request_.seed;
   options.abort = request_.abort;
   options.progress = [this](const sim::Progress& p) {
     progress(report::kRtlStage, static_cast<double>(p.words) / static_cast<double>(stream_.size()));
   };
-  // The first run of a configuration compiles its model; that is no time of the simulation's.
-  const auto engine = stage("rtl model", [&] {
-    return request_.make_rtl ? request_.make_rtl(plan_.config, options)
-                             : sim::make_rtl_engine(plan_.config, options);
-  });
+  const auto engine = stage("rtl model", [&] { return make_rtl(options); });
+  if (!engine) return fail(engine.error().message);
   RtlAnswers answers = stage(report::kRtlStage, [&] {
-    return run_compared(*engine, stream_, golden_, request_.seed, report::shell_line(request_.command_line));
+    return run_compared(**engine, stream_, golden_, request_.seed, report::shell_line(request_.command_line));
   });
   record_.compare = std::move(answers.compare);
   record_.cycles = std::move(answers.cycles);
+  return {};
 }
 
 Result<void> Job::decode() {
@@ -202,7 +213,8 @@ std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-Result<void> Job::write(const report::OutputDirectory& output, const Pictures& pictures) {
+Result<void> Job::write(const report::OutputDirectory& output, const nlohmann::ordered_json& metrics,
+                        const Pictures& pictures) const {
   const auto png = [&](const char* name, const render::Image& image) -> Result<std::string> {
     if (auto written = render::write_png(image, output.staging() / name); !written)
       return fail(written.error().message);
@@ -218,25 +230,12 @@ Result<void> Job::write(const report::OutputDirectory& output, const Pictures& p
     return fail(*problem);
   }
   if (auto done = output.write("voxels.npy", voxels_npy(voxels_, states_)); !done) return done;
-  const nlohmann::ordered_json metrics = report::metrics_json(record_);
   if (auto done = output.write("metrics.json", metrics.dump(2) + "\n"); !done) return done;
   return output.write("report.html", report::report_page(metrics, {*image, *reference, *error}));
 }
 
-Result<RunOutcome> Job::run() {
-  auto output = report::OutputDirectory::create(request_.output);
-  if (!output) return fail(output.error().message);
-
-  if (auto done = stage("surface", [&] { return build_surfaces(); }); !done)
-    return fail(done.error().message);
-  if (auto done = stage("voxelize", [&] { return voxelize(); }); !done) return fail(done.error().message);
-  if (auto done = stage("plan", [&] { return plan(); }); !done) return fail(done.error().message);
-  run_golden();
-  if (request_.engine == EngineKind::Rtl) run_rtl();
-  if (auto done = stage("decode", [&] { return decode(); }); !done) return fail(done.error().message);
-  measure_errors();
-  const Pictures pictures = draw();
-
+/// What stands only after the last stage.
+void Job::finish_record() {
   record_.grid = voxels_.grid;
   record_.voxel_statistics = voxels_.statistics;
   record_.voxels = voxels_.voxels.size();
@@ -248,10 +247,30 @@ Result<RunOutcome> Job::run() {
   record_.events = golden_.counters.events;
   record_.stages = clock_.stages();
   record_.peak_memory_bytes = peak_memory_bytes();
-  if (auto done = write(*output, pictures); !done) return fail(done.error().message);
+}
+
+Result<RunOutcome> Job::run() {
+  auto output = report::OutputDirectory::create(request_.output);
+  if (!output) return fail(output.error().message);
+
+  if (auto done = stage("surface", [&] { return build_surfaces(); }); !done)
+    return fail(done.error().message);
+  if (auto done = stage("voxelize", [&] { return voxelize(); }); !done) return fail(done.error().message);
+  if (auto done = stage("plan", [&] { return plan(); }); !done) return fail(done.error().message);
+  run_golden();
+  if (request_.engine == EngineKind::Rtl) {
+    if (auto done = run_rtl(); !done) return fail(done.error().message);
+  }
+  if (auto done = stage("decode", [&] { return decode(); }); !done) return fail(done.error().message);
+  measure_errors();
+  const Pictures pictures = draw();
+
+  finish_record();
+  nlohmann::ordered_json metrics = report::metrics_json(record_);
+  if (auto done = write(*output, metrics, pictures); !done) return fail(done.error().message);
   progress("report", 1);
   if (auto done = output->commit("metrics.json"); !done) return fail(done.error().message);
-  return RunOutcome{record_.compare, report::metrics_json(record_), request_.output};
+  return RunOutcome{record_.compare, std::move(metrics), request_.output};
 }
 
 /// What cannot be run, before anything is.
@@ -281,8 +300,6 @@ Result<RunOutcome> run(const RunRequest& request) {
     return fail("interrupted");
   } catch (const sim::Aborted&) {
     return fail("interrupted");
-  } catch (const sim::ModelBuildError& error) {
-    return fail(error.what());
   }
 }
 

@@ -3,6 +3,7 @@
 #include "host/report/metrics_json.hpp"
 
 #include <algorithm>
+#include <gnomon/golden/formats.hpp>
 #include <numeric>
 
 #include "host/report/numbers.hpp"
@@ -46,20 +47,14 @@ Json hardware_json(const golden::HardwareConfig& c) {
           {"EN_VPU_OFFSET", c.en_vpu_offset}};
 }
 
-Json format_json(const char* name, int width, bool is_signed, int frac_bits) {
-  return {{"name", name}, {"width", width}, {"signed", is_signed}, {"frac_bits", frac_bits}};
-}
-
-/// The number formats of docs/vpu.md in this configuration.
-Json formats_json(const golden::HardwareConfig& c) {
-  const int p = c.position_bits(), f = c.matrix_frac_bits, d = c.depth_bits, n = c.normal_bits;
-  return {format_json("voxel position (voxels)", p, false, c.voxel_frac_bits),
-          format_json("normal component", n, true, n - 1),
-          format_json("u_acc, v_acc (entries)", f + p + 5, true, f),
-          format_json("d_acc (depth codes)", d + 2 * p + 6, true, p + 4),
-          format_json("g_u, g_v", f + n + 3, true, f),
-          format_json("g_d", d + p + n + 3, true, p + 4),
-          format_json("depth code", d, false, 0)};
+/// The formats of docs/number-formats.md in this configuration.
+Json formats_json(const golden::HardwareConfig& config) {
+  Json all = Json::array();
+  for (const golden::ValueFormat& f : golden::value_formats(config)) {
+    all.push_back(
+        {{"name", f.name}, {"width", f.width}, {"signed", f.is_signed}, {"frac_bits", f.frac_bits}});
+  }
+  return all;
 }
 
 Json registers_json(const RunRecord& record) {
@@ -225,9 +220,10 @@ std::uint64_t total(const PassCycles& pass) {
                          [](std::uint64_t sum, const auto& cause) { return sum + cause.second; });
 }
 
-double wall_of(const RunRecord& record, std::string_view stage) {
+/// The stage's times; zeros where it did not run.
+StageTime stage_of(const RunRecord& record, std::string_view stage) {
   const auto found = std::ranges::find(record.stages, stage, &StageTime::name);
-  return found == record.stages.end() ? 0 : found->wall_seconds;
+  return found == record.stages.end() ? StageTime{} : *found;
 }
 
 Json cycles_json(const RunRecord& record) {
@@ -249,12 +245,15 @@ Json run_time_json(const RunRecord& record, const Json& cycles) {
   Json time = {{"clock_mhz", record.clock_mhz},
                {"cycles", nullptr},
                {"seconds_at_clock", nullptr},
-               {"simulation_mcycles_per_second", nullptr}};
+               {"simulation_mcycles_per_second", nullptr},
+               {"simulation_mcycles_per_cpu_second", nullptr}};
   if (!cycles.is_null()) {
     const auto count = cycles["total"].get<double>();
     time["cycles"] = cycles["total"];
     time["seconds_at_clock"] = count / (record.clock_mhz * 1e6);
-    time["simulation_mcycles_per_second"] = ratio(count * 1e-6, wall_of(record, kRtlStage));
+    const StageTime simulation = stage_of(record, kRtlStage);
+    time["simulation_mcycles_per_second"] = ratio(count * 1e-6, simulation.wall_seconds);
+    time["simulation_mcycles_per_cpu_second"] = ratio(count * 1e-6, simulation.user_seconds);
   }
   double wall = 0;
   for (const StageTime& stage : record.stages) wall += stage.wall_seconds;

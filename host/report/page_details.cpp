@@ -22,10 +22,13 @@ Json table_of(const Json& object, const std::vector<std::pair<const char*, const
 
 Json object_row(const Json& object) {
   const Json& cage = object.at("cage");
-  const auto flag = [&](const char* key) { return cage.at(key).get<std::uint64_t>() > 0; };
+  // A ground is open by nature.
+  const auto flag = [&](const char* key) {
+    return !object.at("ground").get<bool>() && cage.at(key).get<std::uint64_t>() > 0;
+  };
   return {{"name", object.at("name")},
           {"role", object.at("ground").get<bool>() ? "ground" : "model"},
-          {"sides", object.at("two_sided").get<bool>() ? "open, two-sided" : "closed"},
+          {"sides", object.at("two_sided").get<bool>() ? "open" : "closed"},
           {"vertices", count(cage.at("vertices"))},
           {"faces", count(cage.at("faces"))},
           {"kinds", fmt::format("{} / {} / {}", count(cage.at("triangles")), count(cage.at("quads")),
