@@ -30,6 +30,11 @@ std::optional<std::string> SlbConfig::check() const {
   if (subpixel_bits < slope_bits - frac_bits + 4)
     return "SUBPIXEL_BITS=" + std::to_string(subpixel_bits) +
            " is below SLOPE_BITS - FRAC_BITS + 4 = " + std::to_string(slope_bits - frac_bits + 4);
+  // Products of two coordinates then fit 64 bits everywhere.
+  if (vertex_width() > 28 || query_width() > 28)
+    return "PLANE_LOG2=" + std::to_string(plane_log2) +
+           " with SUBPIXEL_BITS=" + std::to_string(subpixel_bits) +
+           " and QUERY_BITS=" + std::to_string(query_bits) + ": a coordinate has more than 28 bits";
   return std::nullopt;
 }
 

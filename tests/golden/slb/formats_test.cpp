@@ -35,6 +35,8 @@ TEST(Formats, IllegalCombinationsNameTheParameter) {
   EXPECT_NE(error([](SlbConfig& c) { c.subpixel_bits = 9; }).find("SUBPIXEL_BITS=9 is out of range 10..16"),
             std::string::npos);
   EXPECT_NE(error([](SlbConfig& c) { c.query_bits = 17; }).find("QUERY_BITS=17"), std::string::npos);
+  EXPECT_NE(error([](SlbConfig& c) { c.plane_log2 = 12, c.query_bits = 15; }).find("more than 28 bits"),
+            std::string::npos);
   EXPECT_NE(error([](SlbConfig& c) {
               c.frac_bits = 3;
               c.slope_bits = 9;
