@@ -21,6 +21,7 @@ namespace {
 
 std::vector<std::unique_ptr<Command>> all_commands() {
   std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(make_run_command());
   commands.push_back(make_verify_command());
   commands.push_back(make_voxelize_command());
   commands.push_back(make_wave_command());
