@@ -43,6 +43,8 @@ module gnomon_top #(
   localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
   localparam int unsigned TAG0  = gnomon_pkg::OWN_TAG_BITS;
   localparam int unsigned TAG1  = gnomon_pkg::OFFSET_TAG_BITS;
+  // 0 is refused above; as a width it would stop elaboration before that message is seen.
+  localparam int unsigned LATENCY = (MEM_LATENCY == 0) ? 1 : MEM_LATENCY;
 
   // ---- Streams at the ports ----
   logic        word_valid, word_ready, result_valid, result_ready;
@@ -167,7 +169,7 @@ module gnomon_top #(
   );
 
   plane_memory #(
-    .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .READ_LATENCY(MEM_LATENCY)
+    .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .READ_LATENCY(LATENCY)
   ) u_plane (
     .clk_i, .rst_ni,
     .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index),

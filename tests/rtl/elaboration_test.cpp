@@ -48,14 +48,14 @@ Parameters parameters(const HardwareConfig& config) {
            {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0}}};
 }
 
-Outcome verilator(const HardwareConfig& config) {
+Outcome verilator(const HardwareConfig& config, const std::string& more = {}) {
   std::string command =
       VERILATOR_PROGRAM " --lint-only -Wall --assert --top-module gnomon_top -F " RTL_DIR "/gnomon.f";
   for (const auto& [name, value] : parameters(config)) {
     command += std::string(" -G") + name + "=" + (std::string_view(name).starts_with("EN_") ? "1\\'b" : "") +
                std::to_string(value);
   }
-  return run(command);
+  return run(command + more);
 }
 
 Outcome yosys(const HardwareConfig& config) {
@@ -119,6 +119,18 @@ TEST(Elaboration, IllegalBuildsStopEveryToolWithTheirMessage) {
       EXPECT_NE(outcome.text.find(build.message), std::string::npos) << outcome.text;
     }
   }
+}
+
+TEST(Elaboration, IllegalMemoryParametersStopVerilatorWithTheirMessage) {
+  for (const auto& [argument, message] :
+       {std::pair{" -GMEM_LATENCY=0", "MEM_LATENCY is out of range 1..64"},
+        std::pair{" -GMEM_LATENCY=65", "MEM_LATENCY is out of range 1..64"},
+        std::pair{" -GMEM_STALL_SEED=65536", "MEM_STALL_SEED is out of range 0..65535"}}) {
+    const Outcome outcome = verilator({}, argument);
+    EXPECT_NE(outcome.status, 0) << argument;
+    EXPECT_NE(outcome.text.find(message), std::string::npos) << outcome.text;
+  }
+  EXPECT_EQ(verilator({}, " -GMEM_LATENCY=64 -GMEM_STALL_SEED=65535").text, "");
 }
 
 }  // namespace
