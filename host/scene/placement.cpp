@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace gnomon::scene {
 namespace {
@@ -106,22 +107,28 @@ Camera fit_camera(const Box3& models, const Box3& all, UpAxis up, double image_a
   const Vec3 towards_eye = (front + side * 0.55 + camera.up * 0.6).normalized();
   const Vec3 right = camera.up.cross(towards_eye).normalized();
   const Vec3 above = towards_eye.cross(right);
-  camera.target = models.center() * 0.75 + all.center() * 0.25;
 
-  // Everything within the picture: for each corner, the distance at which it just touches the frame.
+  // What must be in the picture: the models, and the ground but for its corners, its least interesting part.
+  std::vector<Vec3> points;
+  for (const Vec3& corner : corners(models)) points.push_back(corner);
+  for (const Vec3& corner : corners(all))
+    points.push_back(models.center() + (corner - models.center()) * 0.8);
+  Box3 seen;  // along right, above, and towards the eye
+  for (const Vec3& p : points) seen.extendBy(Vec3(p.dot(right), p.dot(above), p.dot(towards_eye)));
+  const Vec3 middle = seen.center();
+  camera.target = right * middle.x + above * middle.y + towards_eye * middle.z;
+
+  // For each point, the distance at which it just touches the frame.
   const double tan_vertical = std::tan(camera.fov * std::numbers::pi / 360);
   const double tan_horizontal = tan_vertical * image_aspect;
   double distance = 0;
-  const auto hold = [&](const Vec3& point) {
+  for (const Vec3& point : points) {
     const Vec3 p = point - camera.target;
     const double depth = p.dot(towards_eye);
     distance = std::max({distance, depth + std::abs(p.dot(right)) / tan_horizontal,
                          depth + std::abs(p.dot(above)) / tan_vertical});
-  };
-  for (const Vec3& corner : corners(models)) hold(corner);
-  // The ground may leave the picture by a little: its far corners are the least interesting part.
-  for (const Vec3& corner : corners(all)) hold(camera.target + (corner - camera.target) * 0.85);
-  camera.eye = camera.target + towards_eye * (1.05 * distance);
+  }
+  camera.eye = camera.target + towards_eye * (1.03 * distance);
   return camera;
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "host/scene/limit_bounds.hpp"
 #include "host/scene/obj_reader.hpp"
@@ -39,8 +41,21 @@ Result<SceneFile> describe(const std::filesystem::path& path) {
   if (is_scene_file(path)) return read_scene_file(path);
   SceneFile file;
   file.name = path.stem().string();
-  file.models.push_back({path, "", Mat4()});
+  file.models.push_back({path, "", Mat4(), false});
   return file;
+}
+
+/// Moves `objects` together along `up` until their lowest point is at 0.
+void put_to_rest(std::span<Object> objects, UpAxis up) {
+  const Vec3 direction = up_direction(up);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Object& object : objects) lowest = std::min(lowest, object.bounds.min.dot(direction));
+  Mat4 move;
+  move.setTranslation(direction * -lowest);
+  for (Object& object : objects) {
+    object.to_world = object.to_world * move;
+    object.bounds = Box3(object.bounds.min * move, object.bounds.max * move);
+  }
 }
 
 Result<void> add_model(Scene& scene, const SceneFile::Model& model, const SceneOptions& options) {
@@ -48,6 +63,7 @@ Result<void> add_model(Scene& scene, const SceneFile::Model& model, const SceneO
   if (!obj) return tl::make_unexpected(obj.error());
   for (const std::string& warning : obj->warnings)
     scene.warnings.push_back(model.path.string() + ": " + warning);
+  const std::size_t before = scene.objects.size();
   for (std::size_t i = 0; i < obj->meshes.size(); ++i) {
     Object object;
     object.mesh = std::move(obj->meshes[i]);
@@ -66,6 +82,7 @@ Result<void> add_model(Scene& scene, const SceneFile::Model& model, const SceneO
     object.bounds = *bounds;
     scene.objects.push_back(std::move(object));
   }
+  if (model.rest) put_to_rest(std::span(scene.objects).subspan(before), options.up);
   return {};
 }
 

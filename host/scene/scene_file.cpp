@@ -129,7 +129,7 @@ Result<SceneFile::Model> read_model(const Document& document, const Pointer& at)
     return tl::make_unexpected(table.error());
   }
   if (Result<void> known =
-          document.check_keys(at, {"path", "name", "translate", "rotate", "scale", "matrix"});
+          document.check_keys(at, {"path", "name", "translate", "rotate", "scale", "matrix", "rest"});
       !known) {
     return tl::make_unexpected(known.error());
   }
@@ -143,6 +143,13 @@ Result<SceneFile::Model> read_model(const Document& document, const Pointer& at)
     Result<std::string> name = read_text(document, at / "name");
     if (!name) return tl::make_unexpected(name.error());
     model.name = std::move(*name);
+  }
+  if (has(document, at, "rest")) {
+    if (Result<void> flag = expect(document, at / "rest", &nlohmann::json::is_boolean, "true or false");
+        !flag) {
+      return tl::make_unexpected(flag.error());
+    }
+    model.rest = document.root().at(at / "rest").get<bool>();
   }
   const Result<Mat4> transform = read_transform(document, at);
   if (!transform) return tl::make_unexpected(transform.error());

@@ -20,6 +20,7 @@ struct SceneFile {
     std::filesystem::path path;  ///< relative to the working directory (or absolute)
     std::string name;            ///< empty: the objects' own names
     Mat4 transform;
+    bool rest = false;  ///< then moved along up until its lowest point is at 0
   };
   std::string name;
   std::vector<Model> models;             ///< at least one

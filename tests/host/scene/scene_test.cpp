@@ -180,6 +180,21 @@ TEST_F(SceneTest, ReadsTheSameFromJson) {
   EXPECT_EQ(scene_parameters(directory_.path() / "scene.json").value().at(0).text, "64");
 }
 
+TEST_F(SceneTest, RestingModelsTouchTheGround) {
+  const Scene scene = load("scene.toml",
+                           "[[models]]\npath=\"cube.obj\"\nrest=true\ntranslate=[0,7,0]\n"
+                           "[[models]]\npath=\"cube.obj\"\nrest=true\nscale=0.5\nrotate=[20,0,0]\n")
+                          .value();
+  ASSERT_EQ(scene.objects.size(), 3U);
+  EXPECT_NEAR(scene.objects[0].bounds.min.y, 0, 1e-12);
+  EXPECT_NEAR(scene.objects[1].bounds.min.y, 0, 1e-12);
+  EXPECT_NEAR(scene.objects[2].bounds.min.y, 0, 1e-12);
+  const Box3 again = limit_bounds(scene.objects[1].mesh, scene.objects[1].to_world).value();
+  EXPECT_NEAR(again.min.y, 0, 1e-9);
+  EXPECT_THAT(error("s.toml", "[[models]]\npath=\"cube.obj\"\nrest=3\n"),
+              HasSubstr("s.toml:3: error: models/0/rest is not true or false"));
+}
+
 TEST_F(SceneTest, FindsModelsBesideTheSceneFile) {
   directory_.write("sub/part.obj", test::cube_text());
   EXPECT_TRUE(load("sub/scene.toml", "[[models]]\npath = \"part.obj\"\n").has_value());
