@@ -11,7 +11,7 @@ namespace gnomon::sim {
 /// Everything that decides what a compiled model does, besides the RTL itself.
 struct ModelSpec {
   golden::HardwareConfig config{};
-  bool trace = false;       ///< can write waveforms; up to a third slower even while it writes none
+  bool trace = false;       ///< can write waveforms; no slower while it writes none
   bool coverage = false;    ///< counts lines and toggles
   bool assertions = false;  ///< the RTL's assertions stop the model
   /// Without Verilator's rewriting of bit operations (-fno-const-bit-op-tree), a source of wrong code in some

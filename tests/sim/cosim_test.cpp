@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <gnomon/golden/golden_engine.hpp>
+#include <set>
 
 #include "tests/sim/tiny_model.hpp"
 
@@ -133,6 +134,21 @@ TEST(Cosim, DrainInTheMiddleOfEveryKindOfCommand) {
     ASSERT_EQ(cosim.rtl().counters().events, cosim.golden().counters().events) << "at word " << offset;
   }
   EXPECT_EQ(cosim.rtl().read_plane(), cosim.golden().read_plane());
+}
+
+TEST(Cosim, StickyFlagsAtTheCounterPort) {
+  Cosim cosim(small_plane());
+  std::set<std::uint64_t> seen;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    std::vector<Word> stream = random_case(small_plane(), seed, 12).words;
+    EXPECT_TRUE(cosim.run(stream).passed());
+    const std::uint64_t flags = cosim.rtl().sticky();
+    const std::vector<Word> answer = run(cosim.rtl(), fences(1, 1));
+    ASSERT_EQ(answer.size(), 1u);
+    EXPECT_EQ(golden::decode_fence_result(answer[0]).sticky, flags);
+    seen.insert(flags);
+  }
+  EXPECT_GE(seen.size(), 3u);
 }
 
 /// Verilator's rewriting of bit operations has had faults; a model without it must agree.
