@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // N = 6: the voxels that a block's leaves touch between their corners. Theory: docs/voxelization.md, "N = 6".
 #include <algorithm>
+#include <cmath>
 
 #include "host/surface/borders.hpp"
 #include "host/voxel/block_worker.hpp"
 
 namespace gnomon::voxel {
+
+// Triangles that leave the surface by more than this (in voxels) would touch voxels that the surface does
+// not.
+constexpr double kFlat = 0.001;
+
+// Whether all leaves' middles are close to the planes through their corners.
+bool BlockWorker::flat() const {
+  const auto position = [&](int i, int j) {
+    const GridPoint p = lattice_.point(i, j);
+    return Vec3(p[0], p[1], p[2]) * 0x1p-16;
+  };
+  return std::ranges::all_of(leaves_, [&](const Box& b) {
+    const Vec3 across = position(b.i1, b.j1) - position(b.i0, b.j0);
+    const Vec3 other = position(b.i0, b.j1) - position(b.i1, b.j0);
+    const Vec3 normal = across.cross(other).normalized();
+    const double u = (parameter(lattice_.u_at(b.i0)) + parameter(lattice_.u_at(b.i1))) / 2;
+    const double v = (parameter(lattice_.v_at(b.j0)) + parameter(lattice_.v_at(b.j1))) / 2;
+    const Vec3 middle = lattice_.surface().position(block_.face, u, v);
+    const Vec3 chord = (position(b.i1, b.j1) + position(b.i0, b.j0)) / 2;
+    return std::abs((middle - chord).dot(normal)) <= kFlat;
+  });
+}
 
 // A touched voxel takes the nearest thing to a representative: a corner of the leaf, moved into the voxel.
 void BlockWorker::touch(const Triangle& triangle, int i, int j, BlockOutput& out) {

@@ -13,7 +13,8 @@ namespace {
 constexpr int kSmallLattice = 2;
 
 // N = 6 needs all points of a block together: there the whole lattice is made finer, up to this size.
-constexpr int kLargestGrowth = 18;
+constexpr int kLargestGrowth = 20;
+constexpr int kMostExtraBits = 3;
 
 }  // namespace
 
@@ -23,11 +24,11 @@ void BlockWorker::run(const Block& block, BlockOutput& out) {
 }
 
 void BlockWorker::run_cell(Block block, BlockOutput& out) {
+  extra_bits_ = 0;
   run_lattice(block);
-  while (grow_u_ || grow_v_) {
-    if (block.cells_u + block.cells_v >= kLargestGrowth) return run_children(block, out);
-    block.cells_u += grow_u_ ? 1 : 0;
-    block.cells_v += grow_v_ ? 1 : 0;
+  while (grow(block)) {
+    if (block.cells_u + block.cells_v > kLargestGrowth) return run_children(block, out);
+    out.statistics.evaluations += lattice_.evaluations();
     run_lattice(block);
   }
   collect(out);
@@ -37,6 +38,20 @@ void BlockWorker::run_cell(Block block, BlockOutput& out) {
               std::min(kSmallLattice, c.log_v - rules_.smallest_log)},
              out);
   }
+}
+
+// N = 6: whether the block must be run again, on a finer lattice or until its leaves are flat.
+bool BlockWorker::grow(Block& block) {
+  if (!exact_) return false;
+  if (!grow_u_ && !grow_v_) {
+    if (extra_bits_ == kMostExtraBits || flat()) return false;
+    ++extra_bits_;
+    grow_u_ = block.cell.log_u - block.cells_u > rules_.smallest_log;
+    grow_v_ = block.cell.log_v - block.cells_v > rules_.smallest_log;
+  }
+  block.cells_u += grow_u_ ? 1 : 0;
+  block.cells_v += grow_v_ ? 1 : 0;
+  return true;
 }
 
 // One step of the recursion by hand.
@@ -56,7 +71,7 @@ void BlockWorker::run_children(const Block& block, BlockOutput& out) {
 
 void BlockWorker::run_lattice(const Block& block) {
   block_ = block;
-  lattice_.start(block);
+  lattice_.start(block, extra_bits_);
   leaves_.clear();
   coarse_.clear();
   grow_u_ = grow_v_ = false;
@@ -157,7 +172,7 @@ void BlockWorker::collect(BlockOutput& out) {
   if (wanted_ != Wanted::Coordinates) {
     collect_voxels(out);
   } else {
-    lattice_.for_each_visited([&](int i, int j) { members_->insert(lattice_.key(i, j)); });
+    lattice_.for_each_visited([&](int i, int j) { members_->insert(lattice_.voxel(i, j)); });
   }
   out.statistics.zero_normals += zero_normals_;
   for (const Box& b : leaves_) {
@@ -168,13 +183,13 @@ void BlockWorker::collect(BlockOutput& out) {
 
 void BlockWorker::collect_voxels(BlockOutput& out) {
   lattice_.for_each_visited([&](int i, int j) {
-    if (first_here(lattice_.key(i, j))) out.voxels.push_back(voxel_at_point(i, j));
+    if (first_here(lattice_.voxel(i, j))) out.voxels.push_back(voxel_at_point(i, j));
   });
 }
 
 Voxel BlockWorker::voxel_at_point(int i, int j) {
   return wanted_ == Wanted::Representatives ? lattice_.representative(i, j, zero_normals_)
-                                            : bare_voxel(lattice_.key(i, j));
+                                            : bare_voxel(lattice_.voxel(i, j));
 }
 
 void BlockWorker::record_leaf(const Box& b, BlockOutput& out) const {
@@ -186,8 +201,8 @@ void BlockWorker::record_leaf(const Box& b, BlockOutput& out) const {
                         v(b.j0),
                         u(b.i1),
                         v(b.j1),
-                        {lattice_.key(b.i0, b.j0), lattice_.key(b.i1, b.j0), lattice_.key(b.i1, b.j1),
-                         lattice_.key(b.i0, b.j1)}});
+                        {lattice_.voxel(b.i0, b.j0), lattice_.voxel(b.i1, b.j0), lattice_.voxel(b.i1, b.j1),
+                         lattice_.voxel(b.i0, b.j1)}});
 }
 
 }  // namespace gnomon::voxel

@@ -62,6 +62,8 @@ class BlockWorker {
   void run_cell(Block block, BlockOutput& out);
   void run_children(const Block& block, BlockOutput& out);
   void run_lattice(const Block& block);
+  bool grow(Block& block);
+  bool flat() const;
 
   template <Adjacency kAdjacency>
   void recurse_all();
@@ -103,6 +105,7 @@ class BlockWorker {
   // The block at hand.
   Block block_;
   bool grow_u_ = false, grow_v_ = false;
+  int extra_bits_ = 0;
   std::uint64_t leaf_count_ = 0, floor_hits_ = 0, zero_normals_ = 0;
   std::vector<Box> leaves_;
   std::vector<Cell> coarse_;  // cells to be run on their own

@@ -91,10 +91,9 @@ void for_each_gap(std::vector<BorderSide>& sides,
     // Sides are dyadic intervals: those that begin within this one also end within it, or contain it.
     GridPoint last = whole.p0;
     for (std::size_t i = s; i < sides.size() && sides[i].line == whole.line && sides[i].t0 < whole.t1; ++i) {
-      if (sides[i].t0 > whole.t0 && sides[i].p0 != last) {
-        visit(whole, {whole.p0, last, sides[i].p0});
-        last = sides[i].p0;
-      }
+      if (sides[i].t0 == whole.t0 || sides[i].p0 == last) continue;
+      if (last != whole.p0) visit(whole, {whole.p0, last, sides[i].p0});
+      last = sides[i].p0;
     }
     if (last != whole.p0) visit(whole, {whole.p0, last, whole.p1});
   }

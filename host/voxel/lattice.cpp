@@ -16,7 +16,7 @@ Vec3 vec(const surface::Lane4& p) {
 
 }  // namespace
 
-void Lattice::start(const Block& block) {
+void Lattice::start(const Block& block, int extra_bits) {
   if (block.face != block_.face || block.object != block_.object) memo_.start();
   block_ = block;
   surface_ = &surfaces_[block.object];
@@ -26,6 +26,7 @@ void Lattice::start(const Block& block) {
   log_u_ = block.cell.log_u - block.cells_u;
   log_v_ = block.cell.log_v - block.cells_v;
   remembered_ = 0;
+  extra_bits_ = extra_bits;
 
   const auto rows = static_cast<std::size_t>(height_) + 1;
   const std::size_t columns = static_cast<std::size_t>(width_) + 1;
@@ -160,7 +161,7 @@ Vec3 Lattice::unit_normal(int i, int j, std::uint64_t& nudged) {
 }
 
 Voxel Lattice::representative(int i, int j, std::uint64_t& nudged) {
-  const VoxelKey k = key(i, j);
+  const VoxelKey k = voxel(i, j);
   Voxel v{};
   v.x = static_cast<std::uint16_t>(key_x(k));
   v.y = static_cast<std::uint16_t>(key_y(k));

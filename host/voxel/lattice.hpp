@@ -28,7 +28,8 @@ class Lattice {
   /// Forgets the points on borders of earlier blocks.
   void forget() { memo_.start(); }
 
-  void start(const Block& block);
+  /// `extra_bits` makes the voxels of at() so many bits finer than the grid's; only with `keep_points`.
+  void start(const Block& block, int extra_bits = 0);
 
   const Block& block() const { return block_; }
   const surface::LimitSurface& surface() const { return *surface_; }
@@ -46,6 +47,10 @@ class Lattice {
   bool visited(int i, int j) const { return (line(j).visited[i >> 6] >> (i & 63) & 1) != 0; }
   VoxelKey key(int i, int j) const { return line(j).keys[i]; }
   GridPoint point(int i, int j) const { return points_[index(i, j)]; }
+  /// The grid's own voxel.
+  VoxelKey voxel(int i, int j) const {
+    return keep_points_ ? voxel_of(point(i, j), kFractionBits) : key(i, j);
+  }
   /// In row-major order.
   template <class Visit>
   void for_each_visited(Visit visit) const;
@@ -64,6 +69,9 @@ class Lattice {
   };
   using Fixed = std::array<std::uint32_t, 4>;
 
+  static VoxelKey voxel_of(const GridPoint& p, int fraction_bits) {
+    return pack(p[0] >> fraction_bits, p[1] >> fraction_bits, p[2] >> fraction_bits);
+  }
   Line& line(int j) { return lines_[static_cast<std::size_t>(j)]; }
   const Line& line(int j) const { return lines_[static_cast<std::size_t>(j)]; }
   std::size_t index(int i, int j) const {
@@ -92,6 +100,7 @@ class Lattice {
   bool keep_points_;
 
   Block block_;
+  int extra_bits_ = 0;
   const surface::LimitSurface* surface_ = nullptr;
   const surface::PatchTree* pieces_ = nullptr;
   const surface::Patch* patch_ = nullptr;  // null: points are asked for one by one
@@ -123,7 +132,7 @@ inline std::array<std::uint32_t, 4> snap_lanes(const surface::Lane4& p, double r
 
 inline VoxelKey Lattice::keep(int i, int j, const Fixed& p) {
   if (keep_points_) points_[index(i, j)] = {p[0], p[1], p[2]};
-  const VoxelKey key = pack(p[0] >> kFractionBits, p[1] >> kFractionBits, p[2] >> kFractionBits);
+  const VoxelKey key = voxel_of({p[0], p[1], p[2]}, kFractionBits - extra_bits_);
   line(j).keys[i] = key;
   return key;
 }

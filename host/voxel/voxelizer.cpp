@@ -8,6 +8,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -73,6 +74,10 @@ class Run {
     tbb::enumerable_thread_specific<BrickSet> sets;
     const auto threads =
         options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads);
+    const tbb::global_control allow(
+        tbb::global_control::max_allowed_parallelism,
+        std::max<std::size_t>(options_.threads, tbb::global_control::active_value(
+                                                    tbb::global_control::max_allowed_parallelism)));
     tbb::task_arena arena(threads);
     const std::size_t tokens = 4 * static_cast<std::size_t>(arena.max_concurrency());
     tbb::enumerable_thread_specific<BlockWorker> workers([&] {

@@ -29,7 +29,8 @@ inline std::vector<NamedCage> all_cages() {
   for (const int n : {3, 5, 6, 9}) cages.push_back({"prism" + std::to_string(n), prism(n)});
   for (const int n : {3, 4, 7}) cages.push_back({"pyramid" + std::to_string(n), pyramid(n)});
   cages.push_back({"torus", torus(5, 4)});
-  cages.push_back({"needles", needle_box(40, 30)});
+  cages.push_back({"needles", torus(4, 40)});
+  cages.push_back({"cap40", needle_box(40, 4)});
   for (const float s : {0.1F, 0.5F, 1.0F, 2.3F, 3.7F, 5.0F, 8.2F, 10.0F}) {
     const std::string tag = std::to_string(static_cast<int>(10 * s));
     cages.push_back({"cube_crease" + tag, with_crease(spindle(3), s)});

@@ -43,14 +43,16 @@ std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
 
 // How many samples a face needs along u and v.
 std::array<int, 2> samples_of(const surface::LimitSurface& s, std::uint32_t face, double spacing) {
-  constexpr int kCoarse = 16;
+  constexpr int kCoarse = 32;
+  const auto at = [&](int i, int j) {
+    return s.position(face, static_cast<double>(i) / kCoarse, static_cast<double>(j) / kCoarse);
+  };
   double u = 0;
   double v = 0;
-  for (int i = 0; i <= kCoarse; ++i) {
-    for (int j = 0; j <= kCoarse; ++j) {
-      const auto p = s.evaluate(face, static_cast<double>(i) / kCoarse, static_cast<double>(j) / kCoarse);
-      u = std::max(u, p.du.length());
-      v = std::max(v, p.dv.length());
+  for (int i = 0; i < kCoarse; ++i) {
+    for (int j = 0; j < kCoarse; ++j) {
+      u = std::max(u, kCoarse * (at(i + 1, j) - at(i, j)).length());
+      v = std::max(v, kCoarse * (at(i, j + 1) - at(i, j)).length());
     }
   }
   return {std::max(2, static_cast<int>(1.2 * u / spacing)), std::max(2, static_cast<int>(1.2 * v / spacing))};

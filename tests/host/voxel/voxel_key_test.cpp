@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packing, rounding, adjacency, bricks and exact triangle tests, against the obvious.
+#include "host/voxel/voxel_key.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "host/voxel/brick_set.hpp"
+#include "host/voxel/completion.hpp"
+
+namespace gnomon::voxel {
+namespace {
+
+bool holds(const std::function<void()>& property) {
+  return rc::check(property);
+}
+
+TEST(VoxelKey, AdjacencyIsTheDistanceOfCoordinates) {
+  EXPECT_TRUE(holds([] {
+    const auto near = rc::gen::inRange(0, 5);
+    const int base = *rc::gen::element(0, 1, 500, 65530);
+    const auto point = [&] { return std::array{base + *near, base + *near, base + *near}; };
+    const auto a = point();
+    auto b = point();
+    if (*rc::gen::inRange(0, 4) == 0)
+      b[static_cast<std::size_t>(*rc::gen::inRange(0, 3))] = *rc::gen::inRange(0, 65536);
+    int most = 0;
+    int sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      most = std::max(most, std::abs(a[k] - b[k]));
+      sum += std::abs(a[k] - b[k]);
+    }
+    const auto key = [](const std::array<int, 3>& p) {
+      return pack(static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]),
+                  static_cast<std::uint32_t>(p[2]));
+    };
+    RC_ASSERT((gap<Adjacency::N26>(key(a), key(b)) == 0) == (most <= 1));
+    RC_ASSERT((gap<Adjacency::N18>(key(a), key(b)) == 0) == (most <= 1 && sum <= 2));
+  }));
+}
+
+TEST(VoxelKey, SnapsToTheNearestFraction) {
+  EXPECT_EQ(snap(3.0, 8), 3U << 16);
+  EXPECT_EQ(snap(std::nextafter(3.0, 0), 8), 3U << 16);  // one last bit below a wall is on it
+  EXPECT_EQ(snap(3.0 - 0x1p-16, 8), (3U << 16) - 1);
+  EXPECT_EQ(snap(-1e-9, 8), 0U);
+  EXPECT_EQ(snap(8.0, 8), (8U << 16) - 1);
+  EXPECT_EQ(snap(65534.999, 65535), static_cast<std::uint32_t>(std::lround(65534.999 * 65536)));
+  EXPECT_EQ(snap(std::numeric_limits<double>::quiet_NaN(), 8) >> 16 < 8, true);
+}
+
+TEST(BrickSet, IsASet) {
+  EXPECT_TRUE(holds([] {
+    const auto keys =
+        *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, 4000));
+    BrickSet set(true);
+    BrickSet other;
+    std::set<VoxelKey> expected;
+    std::vector<VoxelKey> order;
+    for (const std::uint32_t k : keys) {
+      const VoxelKey key = pack(k % 17, k / 17 % 16 * 4000, k / 272);
+      RC_ASSERT(set.insert(key) == expected.insert(key).second);
+      if (set.size() > order.size()) order.push_back(key);
+      other.insert(k % 2 == 0 ? key : key + 1);
+    }
+    for (std::uint32_t i = 0; i < order.size(); ++i) RC_ASSERT(set.index(order[i]) == i);
+    std::set<VoxelKey> visited;
+    set.for_each([&](VoxelKey k) { RC_ASSERT(visited.insert(k).second); });
+    RC_ASSERT(visited == expected);
+    RC_ASSERT(!set.contains(pack(60000, 1, 2)));
+    BrickSet merged;
+    merged.merge(set);
+    merged.merge(other);
+    other.for_each([&](VoxelKey k) { expected.insert(k); });
+    RC_ASSERT(merged.size() == expected.size());
+    for (const VoxelKey k : expected) RC_ASSERT(merged.contains(k));
+  }));
+}
+
+std::set<VoxelKey> touched(const Triangle& t) {
+  std::set<VoxelKey> out;
+  for_each_touched(t, 16, [&](VoxelKey k) { out.insert(k); });
+  return out;
+}
+
+TEST(Completion, TouchesWhatSamplesOfTheTriangleTouch) {
+  EXPECT_TRUE(holds([] {
+    Triangle t{};
+    for (auto& p : t) {
+      for (auto& c : p) c = *rc::gen::inRange<std::uint32_t>(0, 5U << 16);
+    }
+    const auto found = touched(t);
+    std::size_t hit = 0;
+    for (int i = 0; i <= 40; ++i) {
+      for (int j = 0; i + j <= 40; ++j) {
+        std::array<std::uint32_t, 3> p{};
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double x = (t[0][k] * (40.0 - i - j) + t[1][k] * static_cast<double>(i) +
+                            t[2][k] * static_cast<double>(j)) /
+                           40;
+          p[k] = static_cast<std::uint32_t>(x / 65536);
+        }
+        hit += found.contains(pack(p[0], p[1], p[2])) ? 1U : 0U;
+      }
+    }
+    RC_ASSERT(hit == 861U);
+  }));
+}
+
+TEST(Completion, WallsEdgesAndCornersBelongToAllTheirVoxels) {
+  constexpr std::uint32_t kOne = 1U << 16;
+  const GridPoint corner{3 * kOne, 3 * kOne, 3 * kOne};
+  EXPECT_EQ(touched({corner, corner, corner}).size(), 8U);
+  const GridPoint inner{3 * kOne + 5, 3 * kOne + 5, 3 * kOne};
+  EXPECT_EQ(touched({inner, inner, inner}).size(), 2U);
+  const GridPoint inside{3 * kOne + 5, 3 * kOne + 5, 3 * kOne + 5};
+  EXPECT_EQ(touched({inside, inside, inside}).size(), 1U);
+  // One unit short of a diagonal plane through a corner.
+  const Triangle diagonal{GridPoint{2 * kOne, 4 * kOne - 1, 3 * kOne + 9},
+                          GridPoint{4 * kOne - 1, 2 * kOne, 3 * kOne + 9},
+                          GridPoint{3 * kOne, 3 * kOne - 1, 3 * kOne + 8}};
+  EXPECT_FALSE(touched(diagonal).contains(pack(3, 3, 3)));
+}
+
+TEST(Completion, GapsAreFoundBetweenSidesOfDifferentLength) {
+  const auto p = [](std::uint32_t x) { return GridPoint{x, x * x, 0}; };
+  BorderSide whole{{1, 0, 0, 0}, 0, 4, p(0), p(4), {}};
+  std::vector<BorderSide> sides{whole,
+                                {{1, 0, 0, 0}, 0, 2, p(0), p(2), {}},
+                                {{1, 0, 0, 0}, 2, 3, p(2), p(3), {}},
+                                {{1, 0, 0, 0}, 3, 4, p(3), p(4), {}},
+                                {{2, 0, 0, 0}, 1, 2, p(1), p(2), {}}};
+  std::vector<Triangle> gaps;
+  for_each_gap(sides, [&](const BorderSide&, const Triangle& t) { gaps.push_back(t); });
+  const std::vector<Triangle> expected{{p(0), p(2), p(3)}, {p(0), p(3), p(4)}};
+  EXPECT_EQ(gaps, expected);
+}
+
+}  // namespace
+}  // namespace gnomon::voxel
