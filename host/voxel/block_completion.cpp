@@ -10,7 +10,7 @@ namespace gnomon::voxel {
 
 // Triangles that leave the surface by more than this (in voxels) would touch voxels that the surface does
 // not.
-constexpr double kFlat = 0.001;
+constexpr double kFlat = 0.005;
 
 // Whether all leaves' middles are close to the planes through their corners.
 bool BlockWorker::flat() const {

@@ -63,6 +63,7 @@ void for_each_touched(const Triangle& triangle, std::uint32_t res,
     low[k] = a == 0 ? 0 : (a - 1) >> kFractionBits;
     high[k] = std::min(b >> kFractionBits, res - 1);
   }
+  if (low == high) return visit(pack(low[0], low[1], low[2]));
   for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
     for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
       for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
