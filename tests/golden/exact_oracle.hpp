@@ -16,8 +16,11 @@
 
 namespace gnomon::exact {
 
-using Integer = boost::multiprecision::cpp_int;
-using Rational = boost::multiprecision::cpp_rational;
+// Without expression templates: every intermediate result is a value of its own.
+using IntegerBackend = boost::multiprecision::cpp_int_backend<>;
+using Integer = boost::multiprecision::number<IntegerBackend, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::rational_adaptor<IntegerBackend>,
+                                               boost::multiprecision::et_off>;
 
 /// Largest integer not above x.
 Integer floor(const Rational& x);

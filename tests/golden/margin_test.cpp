@@ -125,7 +125,7 @@ TEST(Margin, ShiftsFloorMagnitudesAndSaturate) {
   vpu.set(Register::FacingShift, 0);
   vpu.set(Register::TiltShift, 0);
   vpu.set(Register::DeltaShift, 0);
-  vpu.set(Register::MarginSquared, 4095u * 4095u);
+  vpu.set(Register::MarginSquared, golden::Word{4095} * 4095);
   const std::int64_t large = 1 << 20;  // saturates to 65535
   EXPECT_FALSE(vpu.exceeds_margin(4095, {.u = large, .v = 0, .d = -large}));
   EXPECT_FALSE(vpu.exceeds_margin(0xFFFFF, {.u = large, .v = 0, .d = -large})) << "delta_n saturates to 4095";

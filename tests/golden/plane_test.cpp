@@ -90,8 +90,8 @@ TEST(Plane, ManyClearsForgetEverything) {
   const Outcome outcome = run(config, writer.words());
   ASSERT_EQ(outcome.results.size(), 2200u);
   for (std::uint32_t i = 0; i < 1100; ++i) {
-    const auto before = golden::decode_plane_entry_result(outcome.results[2 * i]);
-    const auto after = golden::decode_plane_entry_result(outcome.results[2 * i + 1]);
+    const auto before = golden::decode_plane_entry_result(outcome.results[std::size_t{2} * i]);
+    const auto after = golden::decode_plane_entry_result(outcome.results[std::size_t{2} * i + 1]);
     ASSERT_TRUE(before.present);
     ASSERT_EQ(before.depth, i % 7);
     ASSERT_FALSE(after.present);

@@ -14,11 +14,8 @@
 namespace gnomon::golden_test {
 namespace {
 
-using golden::Command;
 using golden::CommandReader;
 using golden::HardwareConfig;
-using golden::Header;
-using golden::Op;
 using golden::Register;
 using golden::StreamWriter;
 using golden::VoxelItem;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Directed streams: one function a situation.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <gnomon/golden/command.hpp>
@@ -251,6 +252,7 @@ std::vector<DirectedStream> directed_streams(const HardwareConfig& config) {
   static constexpr std::array<const char*, kPatternCount> kNames{"uniform", "columns", "burst",  "ties",
                                                                  "sheet",   "corners", "grazing"};
   std::vector<DirectedStream> streams;
+  streams.reserve(kPatternCount + 9);
   for (int i = 0; i < kPatternCount; ++i) {
     streams.push_back({kNames[static_cast<std::size_t>(i)], pattern_stream(config, static_cast<Pattern>(i))});
   }
