@@ -64,7 +64,6 @@ Position subtract(const Position& a, const Position& b, std::int64_t den, std::i
 
 EdgeSetup set_up_edge(const Vertex& from, const Vertex& to, const SlbConfig& config) {
   const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
-  if (dx == 0 && dy == 0) throw std::logic_error("an edge needs two different vertices");
   EdgeSetup edge;
   edge.y_major = magnitude_of(dx) <= magnitude_of(dy);
   const std::int64_t major_from = edge.y_major ? from.y : from.x;
@@ -75,6 +74,7 @@ EdgeSetup set_up_edge(const Vertex& from, const Vertex& to, const SlbConfig& con
   edge.negative = minor_delta != 0 && (minor_delta < 0) == edge.forward;
   edge.adjust = !edge.y_major && minor_delta != 0 && !edge.negative;
   edge.den = magnitude_of(major_to - major_from);
+  if (edge.den == 0) throw std::logic_error("an edge needs two different vertices");
   const int s = config.subpixel_bits;
   const std::int64_t from_cell = major_from >> s;
   edge.major_crossings = magnitude_of((major_to >> s) - from_cell);

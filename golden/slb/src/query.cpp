@@ -14,7 +14,7 @@ bool inside(const Line& line, const PixelPoint& point, const SlbConfig& config) 
   const std::int64_t frac = mirrored ? config.d0() - line.frac : line.frac;
   const std::int64_t along = major - (line.cross ? one : 0);
   const std::int64_t twice_frac = 2 * frac + (reads_halfway(line, config) ? 1 : 0);
-  const std::int64_t rise = 2 * line.slope * config.d0() * along;
+  const std::int64_t rise = 2 * std::int64_t{line.slope} * config.d0() * along;
   const std::int64_t value =
       (2 * minor * config.d0() - twice_frac * one) * config.d1() - (line.xsign ? -rise : rise);
   return line.inner ? value >= 0 : value <= 0;

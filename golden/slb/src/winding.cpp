@@ -37,11 +37,11 @@ bool Winding::crossing(std::int64_t column, std::int64_t row, bool upwards) {
   if (row < 0 || row >= side_ || column >= side_) return true;
   const int y = static_cast<int>(row);
   touch(y);
-  std::int8_t& sum =
+  std::int16_t& sum =
       column < 0 ? carry_[static_cast<std::size_t>(y)] : change_[index(static_cast<int>(column), y)];
   const int next = sum + (upwards ? -1 : 1);
   if (next < kWindingMin || next > kWindingMax) return false;
-  sum = static_cast<std::int8_t>(next);
+  sum = static_cast<std::int16_t>(next);
   return true;
 }
 

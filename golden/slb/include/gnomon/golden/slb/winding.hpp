@@ -46,7 +46,7 @@ class Winding {
 
   int side_;
   int first_, last_;
-  std::vector<std::int8_t> change_, carry_;
+  std::vector<std::int16_t> change_, carry_;  ///< kept to kWindingMin..kWindingMax
   std::vector<bool> lines_;
   std::vector<Result> results_;
 };
