@@ -24,9 +24,9 @@ using metrics::MaskValue;
 
 /// The surface under one sample.
 struct Seen {
-  std::uint32_t object, subpatch, face;
-  double u, v;
-  Vec3 normal;  ///< interpolated between limit normals
+  std::uint32_t object = 0, subpatch = 0, face = 0;
+  double u = 0, v = 0;
+  Vec3 normal{0, 0, 0};  ///< interpolated between limit normals
 };
 
 /// What a shadow source says about it.
@@ -77,7 +77,7 @@ struct PictureScene::Impl {
     const metrics::ParametricMesh& mesh = objects[hit->mesh].mesh;
     const auto& corners = mesh.triangles[hit->triangle];
     const std::array<double, 3> weights = {1.0 - hit->b - hit->c, hit->b, hit->c};
-    Seen seen{};
+    Seen seen;
     seen.object = hit->mesh;
     seen.subpatch = objects[hit->mesh].subpatches[mesh.rect_of_triangle[hit->triangle]];
     seen.face = voxels.subpatches[seen.subpatch].face;
