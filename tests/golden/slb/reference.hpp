@@ -9,7 +9,9 @@
 
 namespace gnomon::golden::slb::testing {
 
-using Rational = boost::multiprecision::cpp_rational;
+/// Without expression templates: `auto` and std::max then mean what they say.
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
 /// The sides by which the shifted edge leaves one pixel after the other.
 std::vector<Side> reference_walk(const Vertex& from, const Vertex& to, const SlbConfig& config);
