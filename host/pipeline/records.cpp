@@ -17,10 +17,9 @@ report::MislabelCounts counts(const metrics::Mislabels& m) {
 
 report::ErrorPart part(const metrics::Mislabels& all, const metrics::Mislabels& unambiguous,
                        const metrics::Mislabels& samples, const metrics::Displacement& displacement) {
-  report::ErrorPart result{counts(all), counts(unambiguous), counts(samples), {}};
-  if (displacement.border_cast + displacement.border_attached > 0) {
-    result.boundary_displacement = displacement.entries();
-  }
+  report::ErrorPart result{counts(all), counts(unambiguous), counts(samples), 0, {}};
+  result.boundary_length = (displacement.border_cast + displacement.border_attached) / displacement.pitch;
+  if (result.boundary_length > 0) result.boundary_displacement = displacement.entries();
   return result;
 }
 

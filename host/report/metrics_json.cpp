@@ -181,6 +181,7 @@ Json part_json(const ErrorPart& part) {
   return {{"all", counts_json(part.all)},
           {"unambiguous", counts_json(part.unambiguous)},
           {"samples", counts_json(part.samples)},
+          {"boundary_length", part.boundary_length},
           {"boundary_displacement", boundary}};
 }
 

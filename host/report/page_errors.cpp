@@ -49,6 +49,7 @@ Json receiver_row(const Json& m, const char* method, const char* key, const char
           {"all", share(part.at("all").at("share"))},
           {"unambiguous", share(part.at("unambiguous").at("share"))},
           {"surface", share(part.at("samples").at("share"))},
+          {"length", number(part.at("boundary_length"), 0)},
           {"boundary", number(part.at("boundary_displacement"), 4)}};
 }
 

@@ -68,11 +68,11 @@ struct MislabelCounts {
 
 /// One method's error against the exact reference on some receivers.
 struct ErrorPart {
-  MislabelCounts all;          ///< every voxel
-  MislabelCounts unambiguous;  ///< voxels away from every shadow border
-  MislabelCounts samples;      ///< surface samples, half a voxel apart
-  std::optional<double>
-      boundary_displacement;  ///< mean, plane entries; absent where there is no shadow border
+  MislabelCounts all;                           ///< every voxel
+  MislabelCounts unambiguous;                   ///< voxels away from every shadow border
+  MislabelCounts samples;                       ///< surface samples, half a voxel apart
+  double boundary_length = 0;                   ///< of the exact shadow borders, plane entries
+  std::optional<double> boundary_displacement;  ///< mean, plane entries; absent where there is no border
 };
 struct ErrorRecord {
   ErrorPart total, ground, models;

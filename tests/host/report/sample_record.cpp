@@ -9,6 +9,7 @@ ErrorPart part(std::uint64_t voxels, std::uint64_t wrong, std::optional<double> 
   return {{voxels, wrong / 3, wrong - wrong / 3},
           {voxels * 9 / 10, wrong / 12, wrong / 20},
           {4 * voxels, wrong, 3 * wrong},
+          812.5,
           boundary};
 }
 
