@@ -42,6 +42,7 @@ Process::Process(const std::vector<std::string>& arguments, const std::filesyste
                  const std::filesystem::path& log) {
   std::vector<std::string> owned = arguments;
   std::vector<char*> argv;
+  argv.reserve(owned.size() + 1);
   for (std::string& argument : owned) argv.push_back(argument.data());
   argv.push_back(nullptr);
   const FileActions actions(directory, log);
