@@ -50,8 +50,9 @@ struct RecursionRules {
 
   static RecursionRules of(const Grid& grid);
   Split split(const Corners& corners, bool wider_u) const {
-    return adjacency == Adjacency::N18 ? criterion<Adjacency::N18>(corners, wider_u)
-                                       : criterion<Adjacency::N26>(corners, wider_u);
+    const auto wider = [&] { return wider_u; };
+    return adjacency == Adjacency::N18 ? criterion<Adjacency::N18>(corners, wider)
+                                       : criterion<Adjacency::N26>(corners, wider);
   }
 };
 

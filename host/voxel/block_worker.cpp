@@ -89,16 +89,17 @@ void BlockWorker::run_lattice(const Block& block) {
 
 template <Adjacency kAdjacency>
 void BlockWorker::recurse_all() {
+  constexpr bool kExact = kAdjacency == Adjacency::N6;
   const int w = lattice_.width();
   const int h = lattice_.height();
-  visit<kAdjacency>({0, 0, w, h},
-                    {lattice_.at(0, 0), lattice_.at(w, 0), lattice_.at(w, h), lattice_.at(0, h)});
+  visit<kAdjacency>({0, 0, w, h}, {lattice_.at<kExact>(0, 0), lattice_.at<kExact>(w, 0),
+                                   lattice_.at<kExact>(w, h), lattice_.at<kExact>(0, h)});
 }
 
 // Most cells are leaves, so this part is inlined into the division that made them.
 template <Adjacency kAdjacency>
 [[gnu::always_inline]] inline void BlockWorker::visit(const Box& b, const Corners& c) {
-  const Split split = criterion<kAdjacency>(c, log_u(b) >= log_v(b));
+  const Split split = criterion<kAdjacency>(c, [&] { return log_u(b) >= log_v(b); });
   if (split.none()) {
     keep_leaf(b);
   } else {
@@ -106,20 +107,17 @@ template <Adjacency kAdjacency>
   }
 }
 
-bool BlockWorker::too_coarse(const Box& b, Split split) {
-  const bool u = split.u && b.i1 - b.i0 == 1;
-  const bool v = split.v && b.j1 - b.j0 == 1;
-  if (!u && !v) return false;
+// The lattice is not fine enough for this cell.
+void BlockWorker::postpone(const Box& b, Split split) {
   if (exact_) {
-    grow_u_ = grow_u_ || u;
-    grow_v_ = grow_v_ || v;
-  } else {
-    for (const int j : {b.j0, b.j1}) {
-      for (const int i : {b.i0, b.i1}) lattice_.remember(i, j);
-    }
-    coarse_.push_back({lattice_.u_at(b.i0), lattice_.v_at(b.j0), log_u(b), log_v(b)});
+    grow_u_ = grow_u_ || (split.u && b.i1 - b.i0 == 1);
+    grow_v_ = grow_v_ || (split.v && b.j1 - b.j0 == 1);
+    return;
   }
-  return true;
+  for (const int j : {b.j0, b.j1}) {
+    for (const int i : {b.i0, b.i1}) lattice_.remember(i, j);
+  }
+  coarse_.push_back({lattice_.u_at(b.i0), lattice_.v_at(b.j0), log_u(b), log_v(b)});
 }
 
 template <Adjacency kAdjacency>
@@ -130,27 +128,28 @@ void BlockWorker::divide(const Box& b, const Corners& c, Split split) {
     ++floor_hits_;
     return keep_leaf(b);
   }
-  if (too_coarse(b, split)) return;
+  if ((split.u && b.i1 - b.i0 == 1) || (split.v && b.j1 - b.j0 == 1)) return postpone(b, split);
+  constexpr bool kExact = kAdjacency == Adjacency::N6;
   const int im = (b.i0 + b.i1) >> 1;
   const int jm = (b.j0 + b.j1) >> 1;
   if (split.u && split.v) {
-    const VoxelKey south = lattice_.at(im, b.j0);
-    const VoxelKey west = lattice_.at(b.i0, jm);
-    const VoxelKey centre = lattice_.at(im, jm);
-    const VoxelKey east = lattice_.at(b.i1, jm);
-    const VoxelKey north = lattice_.at(im, b.j1);
+    const VoxelKey south = lattice_.at<kExact>(im, b.j0);
+    const VoxelKey west = lattice_.at<kExact>(b.i0, jm);
+    const VoxelKey centre = lattice_.at<kExact>(im, jm);
+    const VoxelKey east = lattice_.at<kExact>(b.i1, jm);
+    const VoxelKey north = lattice_.at<kExact>(im, b.j1);
     visit<kAdjacency>({b.i0, b.j0, im, jm}, {c[0], south, centre, west});
     visit<kAdjacency>({im, b.j0, b.i1, jm}, {south, c[1], east, centre});
     visit<kAdjacency>({b.i0, jm, im, b.j1}, {west, centre, north, c[3]});
     visit<kAdjacency>({im, jm, b.i1, b.j1}, {centre, east, c[2], north});
   } else if (split.u) {
-    const VoxelKey south = lattice_.at(im, b.j0);
-    const VoxelKey north = lattice_.at(im, b.j1);
+    const VoxelKey south = lattice_.at<kExact>(im, b.j0);
+    const VoxelKey north = lattice_.at<kExact>(im, b.j1);
     visit<kAdjacency>({b.i0, b.j0, im, b.j1}, {c[0], south, north, c[3]});
     visit<kAdjacency>({im, b.j0, b.i1, b.j1}, {south, c[1], c[2], north});
   } else {
-    const VoxelKey west = lattice_.at(b.i0, jm);
-    const VoxelKey east = lattice_.at(b.i1, jm);
+    const VoxelKey west = lattice_.at<kExact>(b.i0, jm);
+    const VoxelKey east = lattice_.at<kExact>(b.i1, jm);
     visit<kAdjacency>({b.i0, b.j0, b.i1, jm}, {c[0], c[1], east, west});
     visit<kAdjacency>({b.i0, jm, b.i1, b.j1}, {west, east, c[2], c[3]});
   }

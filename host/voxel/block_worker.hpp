@@ -71,7 +71,7 @@ class BlockWorker {
   void visit(const Box& box, const Corners& corners);
   template <Adjacency kAdjacency>
   void divide(const Box& box, const Corners& corners, Split split);
-  bool too_coarse(const Box& box, Split split);
+  void postpone(const Box& box, Split split);
   void keep_leaf(const Box& box) {
     ++leaf_count_;
     if (leaves_wanted_ || exact_) leaves_.push_back(box);

@@ -80,12 +80,13 @@ inline bool BrickSet::insert(VoxelKey key) {
   const std::uint32_t b = brick_of(key);
   const Spot s = spot(key);
   std::uint64_t& word = bricks_[b][s.word];
-  const std::uint64_t bit = std::uint64_t{1} << s.bit;
-  if ((word & bit) != 0) return false;
-  word |= bit;
-  if (indexed_) indices_[b][s.word * 64 + s.bit] = static_cast<std::uint32_t>(size_);
-  ++size_;
-  return true;
+  const std::uint64_t before = word;
+  // No branch here: whether a voxel is new is hard to foresee.
+  word = before | std::uint64_t{1} << s.bit;
+  const bool fresh = (before >> s.bit & 1) == 0;
+  if (indexed_ && fresh) indices_[b][s.word * 64 + s.bit] = static_cast<std::uint32_t>(size_);
+  size_ += fresh ? 1 : 0;
+  return fresh;
 }
 
 }  // namespace gnomon::voxel

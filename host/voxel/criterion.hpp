@@ -17,13 +17,13 @@ struct Split {
 using Corners = std::array<VoxelKey, 4>;
 
 /// Splits the directions whose sides are not between neighbours; where all sides are but both diagonals fail,
-/// the direction that is wider in parameter space (`wider_u`).
-template <Adjacency kAdjacency>
-inline Split criterion(const Corners& c, bool wider_u) {
+/// the direction that is wider in parameter space (`wider_u()`). N = 6 recurses like N = 26.
+template <Adjacency kAdjacency, class WiderU>
+inline Split criterion(const Corners& c, WiderU wider_u) {
   Split split{(gap<kAdjacency>(c[0], c[1]) | gap<kAdjacency>(c[3], c[2])) != 0,
               (gap<kAdjacency>(c[0], c[3]) | gap<kAdjacency>(c[1], c[2])) != 0};
   if (split.none() && gap<kAdjacency>(c[0], c[2]) != 0 && gap<kAdjacency>(c[1], c[3]) != 0) {
-    (wider_u ? split.u : split.v) = true;
+    (wider_u() ? split.u : split.v) = true;
   }
   return split;
 }

@@ -100,18 +100,18 @@ VoxelKey Lattice::foreign(int i, int j) {
   const std::uint32_t u = u_at(i);
   const std::uint32_t v = v_at(j);
   if (u == 0 || v == 0 || u == kParameterOne || v == kParameterOne) return border(i, j);
-  if (keep_points_) return keep(i, j, fixed(i, j));
+  if (keep_points_) return keep<true>(i, j, fixed(i, j));
   if (const auto known = memo_.find(u, v)) {
     ++remembered_;
     return line(j).keys[i] = *known;
   }
-  const VoxelKey key = keep(i, j, fixed(i, j));
+  const VoxelKey key = keep<false>(i, j, fixed(i, j));
   if (patch_ != nullptr || i == 0 || j == 0 || i == width_ || j == height_) memo_.remember(u, v, key);
   return key;
 }
 
 VoxelKey Lattice::border(int i, int j) {
-  if (keep_points_) return keep(i, j, fixed(i, j));
+  if (keep_points_) return keep<true>(i, j, fixed(i, j));
   if (const auto known = recall(i, j)) {
     ++remembered_;
     return line(j).keys[i] = *known;

@@ -39,7 +39,8 @@ class Lattice {
   std::uint32_t v_at(int j) const { return block_.cell.v0 + (static_cast<std::uint32_t>(j) << log_v_); }
   std::uint64_t evaluations() const;
 
-  /// The voxel of point (i, j), 0..width by 0..height.
+  /// The voxel of point (i, j), 0..width by 0..height. `kExact` says that points are kept.
+  template <bool kExact>
   VoxelKey at(int i, int j);
 
   // Of points that have been asked for.
@@ -86,9 +87,10 @@ class Lattice {
   }
   const Row& row(int j);
   Fixed fixed(int i, int j);
-  VoxelKey foreign(int i, int j);
+  [[gnu::noinline]] VoxelKey foreign(int i, int j);
   VoxelKey border(int i, int j);
   std::optional<VoxelKey> recall(int i, int j) const;
+  template <bool kExact>
   VoxelKey keep(int i, int j, const Fixed& p);
   Vec3 unit_normal(int i, int j, std::uint64_t& nudged);
   void map_to_piece();
@@ -130,13 +132,15 @@ inline std::array<std::uint32_t, 4> snap_lanes(const surface::Lane4& p, double r
 
 }  // namespace detail
 
+template <bool kExact>
 inline VoxelKey Lattice::keep(int i, int j, const Fixed& p) {
-  if (keep_points_) points_[index(i, j)] = {p[0], p[1], p[2]};
-  const VoxelKey key = voxel_of({p[0], p[1], p[2]}, kFractionBits - extra_bits_);
+  if constexpr (kExact) points_[index(i, j)] = {p[0], p[1], p[2]};
+  const VoxelKey key = voxel_of({p[0], p[1], p[2]}, kExact ? kFractionBits - extra_bits_ : kFractionBits);
   line(j).keys[i] = key;
   return key;
 }
 
+template <bool kExact>
 inline VoxelKey Lattice::at(int i, int j) {
   Line& l = line(j);
   std::uint64_t& word = l.visited[i >> 6];
@@ -144,7 +148,7 @@ inline VoxelKey Lattice::at(int i, int j) {
   if ((word & bit) != 0) return l.keys[i];
   word |= bit;
   if (!own(i, j)) return foreign(i, j);
-  return keep(i, j, detail::snap_lanes(surface::cubic(l.ready ? l.cubic : row(j), u_own(i)), res_));
+  return keep<kExact>(i, j, detail::snap_lanes(surface::cubic(l.ready ? l.cubic : row(j), u_own(i)), res_));
 }
 
 template <class Visit>
