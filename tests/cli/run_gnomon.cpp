@@ -27,6 +27,8 @@ constexpr int kCannotStart = 126;
   const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   const int err_file = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   const int nothing = open("/dev/null", O_RDONLY);
+  // Opened while we may: whoever we become need not be able to reach the build folder.
+  const int program = open(GNOMON_PROGRAM, O_RDONLY | O_CLOEXEC);
   if (dup2(nothing, 0) < 0 || dup2(out_file, 1) < 0 || dup2(err_file, 2) < 0) _exit(kCannotStart);
   if (!how.directory.empty() && chdir(how.directory.c_str()) != 0) _exit(kCannotStart);
   if (how.as_nobody && geteuid() == 0 && setuid(kNobody) != 0) _exit(kCannotStart);
@@ -39,7 +41,7 @@ constexpr int kCannotStart = 126;
   copies.insert(copies.end(), arguments.begin(), arguments.end());
   for (std::string& copy : copies) words.push_back(copy.data());
   words.push_back(nullptr);
-  execv(words[0], words.data());
+  fexecve(program, words.data(), environ);
   _exit(kCannotStart);
 }
 
