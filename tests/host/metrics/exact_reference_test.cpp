@@ -61,7 +61,9 @@ double clearance(const Vec3& start, const Vec3& direction, double major, double 
   double nearest = 1e9;
   double before = 0;
   bool leaving = true;
-  for (double t = 0.02; t < 300; t += 0.02) {
+  double t = 0;
+  while (t < 300) {
+    t += 0.02;
     const double distance = torus_distance(start + direction * t, major, minor);
     leaving = leaving && distance > before;
     if (!leaving) nearest = std::min(nearest, distance);

@@ -34,7 +34,7 @@ TEST(VoxelIndex, FindsEverySetVoxelAndNoOther) {
           EXPECT_EQ(index.find(x, y, z), kNoVoxel);
           ++empty;
         }
-  EXPECT_EQ(empty, 34u * 34u * 34u - cells.size());
+  EXPECT_EQ(empty, std::size_t{34} * 34 * 34 - cells.size());
 }
 
 TEST(VoxelIndex, AsksTheNearestNeighbourWhereTheOwnCellIsEmpty) {
