@@ -46,7 +46,7 @@ void golden_engine(benchmark::State& state) {
   const HardwareConfig config;
   const std::vector<Word> stream = surface_stream(config);
   const auto engine = golden::make_golden_engine(config);
-  for (auto _ : state) run(*engine, stream);
+  while (state.KeepRunning()) run(*engine, stream);
   state.counters["voxels/s"] = rate(voxels_of(state));
 }
 
@@ -61,7 +61,7 @@ void rtl_engine(benchmark::State& state) {
   const auto engine = sim::make_rtl_engine(config, options);
   run(*engine, {});  // the scrub after reset
   const std::uint64_t before = engine->cycle();
-  for (auto _ : state) run(*engine, stream);
+  while (state.KeepRunning()) run(*engine, stream);
   const auto cycles = static_cast<double>(engine->cycle() - before);
   const auto voxels = voxels_of(state);
   state.counters["voxels/s"] = rate(voxels);
@@ -74,7 +74,7 @@ void verification(benchmark::State& state) {
   const std::vector<Word> stream = surface_stream(config);
   const auto reference = golden::make_golden_engine(config);
   const auto rtl = sim::make_rtl_engine(config, {});
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     reference->reset();
     rtl->reset();
     if (!sim::compare(*reference, *rtl, stream).passed()) state.SkipWithError("engines differ");
