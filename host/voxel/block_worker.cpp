@@ -81,6 +81,8 @@ void BlockWorker::run_lattice(const Block& block) {
       recurse_all<Adjacency::N18>();
       break;
     case Adjacency::N6:
+      recurse_all<Adjacency::N6>();
+      break;
     case Adjacency::N26:
       recurse_all<Adjacency::N26>();
       break;
