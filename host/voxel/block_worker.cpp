@@ -63,8 +63,8 @@ void BlockWorker::run_children(const Block& block, BlockOutput& out) {
   split.u = split.u && block.cell.log_u > rules_.smallest_log;
   split.v = split.v && block.cell.log_v > rules_.smallest_log;
   for (const Cell& c : block.cell.children(split)) {
-    run_cell({block.object, block.face, c, std::min(block.cells_u - 1, c.log_u - rules_.smallest_log),
-              std::min(block.cells_v - 1, c.log_v - rules_.smallest_log)},
+    run_cell({block.object, block.face, c, std::clamp(block.cells_u - 1, 0, c.log_u - rules_.smallest_log),
+              std::clamp(block.cells_v - 1, 0, c.log_v - rules_.smallest_log)},
              out);
   }
 }
