@@ -28,7 +28,7 @@ void BlockWorker::run_cell(Block block, BlockOutput& out) {
   run_lattice(block);
   while (grow(block)) {
     if (block.cells_u + block.cells_v > kLargestGrowth) return run_children(block, out);
-    out.statistics.evaluations += lattice_.evaluations();
+    lattice_.for_each_visited([&](int, int) { ++out.statistics.evaluations; });
     run_lattice(block);
   }
   collect(out);
@@ -166,26 +166,27 @@ bool BlockWorker::first_here(VoxelKey key) {
 }
 
 void BlockWorker::collect(BlockOutput& out) {
-  out.statistics.evaluations += lattice_.evaluations();
+  std::uint64_t points = 0;
+  if (wanted_ == Wanted::Coordinates) {
+    lattice_.for_each_visited([&](int i, int j) {
+      ++points;
+      members_->insert(lattice_.voxel(i, j));
+    });
+  } else {
+    recent_.assign(std::clamp<std::size_t>(std::bit_ceil(block_.points() / 2), 16, 4096), ~VoxelKey{0});
+    lattice_.for_each_visited([&](int i, int j) {
+      ++points;
+      if (first_here(lattice_.voxel(i, j))) out.voxels.push_back(voxel_at_point(i, j));
+    });
+  }
+  out.statistics.evaluations += points - lattice_.remembered();
   out.statistics.subpatches += leaf_count_;
   out.statistics.floor_hits += floor_hits_;
-  recent_.assign(std::clamp<std::size_t>(std::bit_ceil(block_.points() / 2), 16, 4096), ~VoxelKey{0});
-  if (wanted_ != Wanted::Coordinates) {
-    collect_voxels(out);
-  } else {
-    lattice_.for_each_visited([&](int i, int j) { members_->insert(lattice_.voxel(i, j)); });
-  }
   out.statistics.zero_normals += zero_normals_;
   for (const Box& b : leaves_) {
     if (leaves_wanted_) record_leaf(b, out);
     if (exact_) complete(b, out);
   }
-}
-
-void BlockWorker::collect_voxels(BlockOutput& out) {
-  lattice_.for_each_visited([&](int i, int j) {
-    if (first_here(lattice_.voxel(i, j))) out.voxels.push_back(voxel_at_point(i, j));
-  });
 }
 
 Voxel BlockWorker::voxel_at_point(int i, int j) {

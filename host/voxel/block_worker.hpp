@@ -84,7 +84,6 @@ class BlockWorker {
   }
 
   void collect(BlockOutput& out);
-  void collect_voxels(BlockOutput& out);
   void record_leaf(const Box& box, BlockOutput& out) const;
   bool first_here(VoxelKey key);
 

@@ -9,7 +9,7 @@
 
 namespace gnomon::voxel {
 
-BrickSet::BrickSet(bool indexed) : indexed_(indexed), directory_(1024, kNone) {}
+BrickSet::BrickSet(bool indexed) : indexed_(indexed), directory_(8192, kNone) {}
 
 std::uint32_t BrickSet::find(VoxelKey brick) const {
   const std::size_t mask = directory_.size() - 1;

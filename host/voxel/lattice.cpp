@@ -2,8 +2,6 @@
 // Where a block's points come from: its polynomial, the owners of borders, or the surface point by point.
 #include "host/voxel/lattice.hpp"
 
-#include <bit>
-
 namespace gnomon::voxel {
 namespace {
 
@@ -62,6 +60,9 @@ void Lattice::map_to_piece() {
   // A block's border is shared with other blocks, and may belong to another piece or face.
   own_columns_ = static_cast<unsigned>(width_ - 1);
   own_rows_ = static_cast<unsigned>(height_ - 1);
+  // The piece answers for its lower sides, the next one for its upper sides.
+  last_own_u_ = parameter(c.u1()) == region.u0 + region.size ? width_ - 1 : width_;
+  last_own_v_ = parameter(c.v1()) == region.v0 + region.size ? height_ - 1 : height_;
 }
 
 void Lattice::map_to_borders() {
@@ -77,14 +78,6 @@ void Lattice::map_to_borders() {
   if (c.u1() == kParameterOne) sides_[1] = cache.stretch(block_.face, 1, v0, 0, dv);
   if (c.v1() == kParameterOne) sides_[2] = cache.stretch(block_.face, u0, 1, du, 0);
   if (c.u0 == 0) sides_[3] = cache.stretch(block_.face, 0, v0, 0, dv);
-}
-
-std::uint64_t Lattice::evaluations() const {
-  std::uint64_t visited = 0;
-  const std::size_t words =
-      (static_cast<std::size_t>(width_) / 64 + 1) * (static_cast<std::size_t>(height_) + 1);
-  for (std::size_t w = 0; w < words; ++w) visited += static_cast<std::uint64_t>(std::popcount(visited_[w]));
-  return visited - remembered_;
 }
 
 [[gnu::noinline]] const Lattice::Row& Lattice::row(int j) {
@@ -132,7 +125,10 @@ std::optional<VoxelKey> Lattice::recall(int i, int j) const {
 }
 
 Lattice::Fixed Lattice::fixed(int i, int j) {
-  if (own(i, j)) return detail::snap_lanes(surface::cubic(row(j), u_own(i)), res_);
+  const bool at_low_side = u_at(i) == 0 || v_at(j) == 0;
+  if (patch_ != nullptr && !at_low_side && i <= last_own_u_ && j <= last_own_v_) {
+    return detail::snap_lanes(surface::cubic(row(j), u_own(i)), res_);
+  }
   const double u = parameter(u_at(i));
   const double v = parameter(v_at(j));
   if (const auto hit = pieces_->find(u, v); hit.patch != nullptr && u > 0 && u < 1 && v > 0 && v < 1) {

@@ -37,7 +37,8 @@ class Lattice {
   int height() const { return height_; }
   std::uint32_t u_at(int i) const { return block_.cell.u0 + (static_cast<std::uint32_t>(i) << log_u_); }
   std::uint32_t v_at(int j) const { return block_.cell.v0 + (static_cast<std::uint32_t>(j) << log_v_); }
-  std::uint64_t evaluations() const;
+  /// How many of the points asked for had been evaluated before, for other blocks or faces.
+  std::uint64_t remembered() const { return remembered_; }
 
   /// The voxel of point (i, j), 0..width by 0..height. `kExact` says that points are kept.
   template <bool kExact>
@@ -81,7 +82,7 @@ class Lattice {
   double u_own(int i) const { return u_origin_ + u_step_ * i; }
   double v_own(int j) const { return v_origin_ + v_step_ * j; }
 
-  // Whether the block's own polynomial answers for a point.
+  // Whether a point lies inside the block, so that its own polynomial answers without further ado.
   bool own(int i, int j) const {
     return static_cast<unsigned>(i - 1) < own_columns_ && static_cast<unsigned>(j - 1) < own_rows_;
   }
@@ -109,6 +110,7 @@ class Lattice {
   int width_ = 0, height_ = 0;
   int log_u_ = 0, log_v_ = 0;  // of a lattice step
   unsigned own_columns_ = 0, own_rows_ = 0;
+  int last_own_u_ = 0, last_own_v_ = 0;  // up to where the block's polynomial answers
   double u_origin_ = 0, u_step_ = 0, v_origin_ = 0, v_step_ = 0;  // to the polynomial's own parameters
   std::array<BorderCache::Stretch, 4>
       sides_;                     // v low, u high, v high, u low: where they are sides of the face
