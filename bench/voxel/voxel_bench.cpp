@@ -41,7 +41,8 @@ void coordinates(benchmark::State& state) {
   voxel::VoxelizerOptions options;
   options.threads = static_cast<unsigned>(state.range(3));
   std::size_t voxels = 0;
-  for (auto _ : state) voxels += voxel::voxelize_coordinates(s.surfaces, s.grid, options)->voxels.size();
+  while (state.KeepRunning())
+    voxels += voxel::voxelize_coordinates(s.surfaces, s.grid, options)->voxels.size();
   state.SetItemsProcessed(static_cast<std::int64_t>(voxels));
 }
 
@@ -50,12 +51,12 @@ void representatives(benchmark::State& state) {
   voxel::VoxelizerOptions options;
   options.threads = static_cast<unsigned>(state.range(3));
   std::size_t voxels = 0;
-  for (auto _ : state) voxels += voxel::voxelize(s.surfaces, s.grid, options)->voxels.size();
+  while (state.KeepRunning()) voxels += voxel::voxelize(s.surfaces, s.grid, options)->voxels.size();
   state.SetItemsProcessed(static_cast<std::int64_t>(voxels));
 }
 
 void surfaces(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(make_scene(state).surfaces.size());
+  while (state.KeepRunning()) benchmark::DoNotOptimize(make_scene(state).surfaces.size());
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST_P(EveryCage, BorderPointsAreIdenticalFromEveryFace) {
       for (int i = 0; i < 64; ++i) {
         const double t = (i % 16) / 16.0;
         const std::array<Vec2, 4> at{Vec2(t, 0), Vec2(1, t), Vec2(1 - t, 1), Vec2(0, 1 - t)};
-        const Vec2 uv = at[static_cast<std::size_t>(i / 16)];
+        const Vec2& uv = at[static_cast<std::size_t>(i / 16)];
         const Vec3 p = s.position(f, uv.x, uv.y);
         const std::array<std::int64_t, 3> key{std::llround(p.x / cell), std::llround(p.y / cell),
                                               std::llround(p.z / cell)};

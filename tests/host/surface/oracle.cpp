@@ -54,6 +54,7 @@ std::unique_ptr<far::TopologyRefiner> make(const scene::ControlMesh& m, int leve
 
 std::vector<Point> points_at(const far::TopologyRefiner& r, const scene::ControlMesh& m, int level) {
   std::vector<Point> coarse;
+  coarse.reserve(m.positions.size());
   for (const Vec3& p : m.positions) coarse.push_back({p});
   for (int l = 1; l <= level; ++l) {
     std::vector<Point> fine(static_cast<std::size_t>(r.GetLevel(l).GetNumVertices()));
@@ -94,6 +95,7 @@ std::vector<OraclePoint> refine_to_limit(const scene::ControlMesh& mesh, int lev
   far::PrimvarRefinerReal<double>(*refiner).Limit(refined_points, limit);
 
   std::vector<FaceMap> maps;
+  maps.reserve(mesh.face_sizes.size());
   for (int f = 0; f < refiner->GetLevel(0).GetNumFaces(); ++f) {
     maps.push_back({f, 0, {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}});
   }

@@ -111,18 +111,89 @@ int crossing_steps(voxel::Adjacency adjacency) {
   return adjacency == voxel::Adjacency::N6 ? 26 : 6;
 }
 
+namespace {
+
+// What a flood through the empty cells of a thickened set leaves over, in connected pieces.
+std::vector<std::vector<Step>> enclosed_pieces(const DenseGrid& thick) {
+  DenseGrid seen = thick.outside(6);
+  std::vector<std::vector<Step>> pieces;
+  for_each_cell(thick, [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    if (thick.at(x, y, z) != 0 || seen.at(x, y, z) != 0) return;
+    std::vector<Step> piece{{x, y, z}};
+    seen.at(x, y, z) = 1;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      for (const Step& o : steps(6)) {
+        const Step n{piece[i][0] + o[0], piece[i][1] + o[1], piece[i][2] + o[2]};
+        if (!within(thick, n[0], n[1], n[2]) || thick.at(n[0], n[1], n[2]) != 0 ||
+            seen.at(n[0], n[1], n[2]) != 0)
+          continue;
+        seen.at(n[0], n[1], n[2]) = 1;
+        piece.push_back(n);
+      }
+    }
+    pieces.push_back(std::move(piece));
+  });
+  return pieces;
+}
+
+// A narrow bay of the outside is enclosed by the thickened set too: the normals of the voxels around it point
+// into it.
+class Sides {
+ public:
+  explicit Sides(const voxel::VoxelSet& set) {
+    for (const auto& v : set.voxels) voxels_[key(v.x, v.y, v.z)] = &v;
+  }
+
+  bool is_inside(const std::vector<Step>& piece) const {
+    std::int64_t votes = 0;
+    for (const Step& c : piece) {
+      votes += vote(c);
+      if (std::abs(votes) > 1000) break;
+    }
+    return votes > 0;
+  }
+
+ private:
+  static constexpr std::int64_t kReach = 3;
+
+  // The nearest voxel's opinion: 1 if the cell lies behind it, -1 if before it, 0 if there is none near.
+  std::int64_t vote(const Step& c) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::int64_t opinion = 0;
+    for (std::int64_t n = 0; n < 343; ++n) {
+      const Step d{c[0] + n % 7 - kReach, c[1] + n / 7 % 7 - kReach, c[2] + n / 49 - kReach};
+      if (std::min({d[0], d[1], d[2]}) < 0) continue;
+      const auto it = voxels_.find(key(d[0], d[1], d[2]));
+      if (it == voxels_.end()) continue;
+      const voxel::Voxel& v = *it->second;
+      const Vec3 away =
+          Vec3(static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])) + Vec3(0.5) -
+          Vec3(v.x, v.y, v.z) - Vec3(v.point[0], v.point[1], v.point[2]);
+      if (away.length2() >= nearest) continue;
+      nearest = away.length2();
+      opinion = away.dot(Vec3(v.normal[0], v.normal[1], v.normal[2])) < 0 ? 1 : -1;
+    }
+    return opinion;
+  }
+
+  std::unordered_map<std::uint64_t, const voxel::Voxel*> voxels_;
+};
+
+}  // namespace
+
 Separation separation(const voxel::VoxelSet& set) {
   const DenseGrid grid(set);
-  const int neighbours = crossing_steps(set.grid.adjacency);
-  const DenseGrid reached = grid.outside(neighbours);
-  const DenseGrid thick = grid.dilated();
-  const DenseGrid reached_around = thick.outside(6);
+  const DenseGrid reached = grid.outside(crossing_steps(set.grid.adjacency));
+  const Sides sides(set);
   Separation out;
-  for_each_cell(grid, [&](std::int64_t x, std::int64_t y, std::int64_t z) {
-    if (thick.at(x, y, z) != 0 || reached_around.at(x, y, z) != 0) return;
-    ++out.inside;
-    out.leaks += reached.at(x, y, z);
-  });
+  for (const auto& piece : enclosed_pieces(grid.dilated())) {
+    if (!sides.is_inside(piece)) {
+      out.bays += piece.size();
+      continue;
+    }
+    out.inside += piece.size();
+    for (const Step& c : piece) out.leaks += reached.at(c[0], c[1], c[2]);
+  }
   return out;
 }
 

@@ -39,10 +39,13 @@ class DenseGrid {
 /// The steps against which an adjacency must separate: 26-steps for N = 6, else 6-steps.
 int crossing_steps(voxel::Adjacency adjacency);
 
+/// What lies well away from the surface: enclosed even if the set is made one voxel thicker.
 struct Separation {
-  std::uint64_t inside = 0;  ///< voxels well inside: unreachable even if the set is made one voxel thicker
-  std::uint64_t leaks = 0;   ///< of those, how many are reached from outside
+  std::uint64_t inside = 0;  ///< voxels behind the normals
+  std::uint64_t bays = 0;    ///< voxels before the normals: narrow bays of the outside
+  std::uint64_t leaks = 0;   ///< of those inside, how many are reached from outside
 };
+/// Needs representatives, and faces that wind outwards.
 Separation separation(const voxel::VoxelSet& set);
 
 struct Coverage {

@@ -56,13 +56,14 @@ int report(const std::string& path, std::uint32_t res, int adjacency) {
   const auto coverage = test::coverage(surfaces, *set, 0.15);
   const auto voxels = static_cast<double>(set->voxels.size());
   fmt::print(
-      "voxels {}\ninside {}\nleaks {}\nsamples {}\nuncovered {}\nown_voxel {:.4f}\nfarthest_centre {:.4f}\n"
+      "voxels {}\ninside {}\nbays {}\nleaks {}\nsamples {}\nuncovered {}\nown_voxel {:.4f}\nfarthest_centre "
+      "{:.4f}\n"
       "duplicates {}\nsurplus {:.4f}\nevaluations_per_voxel {:.4f}\nsubpatches_per_voxel {:.4f}\nfloor_hits "
       "{}\n"
       "zero_normals {}\nseconds {:.4f}\n",
-      set->voxels.size(), separation.inside, separation.leaks, coverage.samples, coverage.uncovered,
-      coverage.own_voxel, coverage.farthest_centre, test::duplicates(*set), test::surplus(*set),
-      static_cast<double>(set->statistics.evaluations) / voxels,
+      set->voxels.size(), separation.inside, separation.bays, separation.leaks, coverage.samples,
+      coverage.uncovered, coverage.own_voxel, coverage.farthest_centre, test::duplicates(*set),
+      test::surplus(*set), static_cast<double>(set->statistics.evaluations) / voxels,
       static_cast<double>(set->statistics.subpatches) / voxels, set->statistics.floor_hits,
       set->statistics.zero_normals, set->statistics.seconds);
   return separation.leaks == 0 && coverage.uncovered == 0 ? 0 : 1;
