@@ -5,6 +5,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -67,14 +68,16 @@ struct ExactReference::Impl {
   Impl(std::shared_ptr<const Geometry> shared, const DirectionalLight& light)
       : geometry(std::move(shared)), to_light(unit_towards_light(light)) {}
 
+  double facing(const Vec3& normal, std::uint32_t object) const {
+    const double cosine = normal.dot(to_light);
+    const bool turned = object < geometry->two_sided.size() && geometry->two_sided[object];
+    return turned ? std::abs(cosine) : cosine;
+  }
+
   Exact classify(const SurfaceQuery& query) {
-    Vec3 normal = query.normal;
-    double facing = normal.dot(to_light);
-    if (facing < 0 && query.object < geometry->two_sided.size() && geometry->two_sided[query.object]) {
-      normal = -normal;
-      facing = -facing;
-    }
-    if (!(facing > kEdgeOn)) return Exact::Attached;
+    const double cosine = facing(query.normal, query.object);
+    if (!(cosine > kEdgeOn)) return Exact::Attached;
+    const Vec3 normal = query.normal.dot(to_light) < 0 ? -query.normal : query.normal;
     ++rays.local();
     const Vec3 start = query.point + normal * geometry->lift;
     return geometry->scene.any_hit(start, to_light) ? Exact::Cast : Exact::Lit;
@@ -101,6 +104,10 @@ ExactReference::~ExactReference() = default;
 
 Exact ExactReference::classify(const SurfaceQuery& query) const {
   return impl_->classify(query);
+}
+
+double ExactReference::facing(const Vec3& normal, std::uint32_t object) const {
+  return impl_->facing(normal, object);
 }
 
 bool ExactReference::occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const {

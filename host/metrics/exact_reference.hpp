@@ -49,6 +49,8 @@ class ExactReference {
   ~ExactReference();
 
   Exact classify(const SurfaceQuery& query) const;
+  /// Cosine between the normal and the light; never negative for a two-sided object.
+  double facing(const Vec3& normal, std::uint32_t object) const;
   bool occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const;
   /// All queries, on all cores.
   std::vector<Exact> classify(std::span<const SurfaceQuery> queries) const;

@@ -29,6 +29,12 @@ struct FaceGrid {
 /// Samples at the centres would keep step with the voxels wherever a surface runs along the grid.
 std::array<double, 2> sample_parameter(const FaceGrid& grid, std::uint32_t i, std::uint32_t j);
 
+/// Cell (i, j) of a face's grid, which is number `grid` among all.
+struct CellRef {
+  std::uint32_t grid;
+  std::uint32_t i, j;
+};
+
 /// One row of one face: the unit of work that threads share.
 struct GridRow {
   std::uint32_t grid;

@@ -24,6 +24,7 @@ double seen_length(const Vec3& step, const Vec3& to_light) {
 struct Part {
   BorderLength length;
   std::vector<Vec3> points;
+  std::vector<CellRef> cells;
 
   void add(Exact shadow_side, double piece) {
     (shadow_side == Exact::Attached ? length.attached : length.cast) += piece;
@@ -33,6 +34,7 @@ struct Part {
 void join(ShadowBorder& border, std::size_t object, const Part& part) {
   border.length[object] = border.length[object] + part.length;
   border.points.insert(border.points.end(), part.points.begin(), part.points.end());
+  border.cells.insert(border.cells.end(), part.cells.begin(), part.cells.end());
 }
 
 struct Crossing {
@@ -56,7 +58,9 @@ class Tracer {
   Part row(const GridRow& where) const {
     const FaceGrid& grid = grids_.faces[where.grid];
     Part border;
-    for (std::uint32_t i = 0; i < grid.nu; ++i) trace_cell(grid, i, where.row, border);
+    for (std::uint32_t i = 0; i < grid.nu; ++i) {
+      if (trace_cell(grid, i, where.row, border)) border.cells.push_back({where.grid, i, where.row});
+    }
     return border;
   }
 
@@ -96,7 +100,8 @@ class Tracer {
     return {surfaces_[grid.object].position(grid.face, u, v), in_shadow(low) ? low : high};
   }
 
-  void trace_cell(const FaceGrid& grid, std::uint32_t i, std::uint32_t j, Part& border) const {
+  /// Whether the border crosses the cell.
+  bool trace_cell(const FaceGrid& grid, std::uint32_t i, std::uint32_t j, Part& border) const {
     // Corners anticlockwise; side k runs from corner k to corner k + 1.
     const std::array<bool, 4> dark = {
         in_shadow(nodes_[grid.node(i, j)]), in_shadow(nodes_[grid.node(i + 1, j)]),
@@ -108,11 +113,12 @@ class Tracer {
       crossings[count++] = bisect(grid, i + (k == 1 ? 1 : 0), j + (k == 2 ? 1 : 0), k % 2 == 0);
     }
     if (count == 2) add_segment(crossings[0], crossings[1], border);
-    if (count < 4) return;
+    if (count < 4) return count > 0;
     // A saddle: the sample inside says whether the corners like it are connected through the cell.
     const bool connected = in_shadow(samples_[grid.cell(i, j)]) == dark[0];
     add_segment(crossings[0], crossings[connected ? 1 : 3], border);
     add_segment(crossings[2], crossings[connected ? 3 : 1], border);
+    return true;
   }
 
   void add_segment(const Crossing& a, const Crossing& b, Part& border) const {

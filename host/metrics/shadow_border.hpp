@@ -13,6 +13,7 @@ namespace gnomon::metrics {
 struct ShadowBorder {
   std::vector<BorderLength> length;  ///< by object that receives the shadow
   std::vector<Vec3> points;          ///< on the border, about two a grid cell that it crosses
+  std::vector<CellRef> cells;        ///< that it crosses, in order
 };
 
 /// The border over all objects. `samples` holds the answers of the cells' samples: where all around a node

@@ -52,15 +52,17 @@ Displacement& Displacement::operator+=(const Displacement& other) {
   return *this;
 }
 
-std::vector<std::uint8_t> sample_answers(const ShadowTruth& truth,
-                                         std::span<const golden::VoxelState> states) {
-  std::vector<std::uint8_t> shadowed(truth.samples.size());
-  for (std::size_t i = 0; i < shadowed.size(); ++i) {
-    const std::uint32_t voxel = truth.samples[i].voxel;
-    // Surface without a voxel is never shadowed by a technique that knows voxels alone.
-    shadowed[i] = voxel != kNoVoxel && is_shadow(states[voxel]) ? 1 : 0;
-  }
-  return shadowed;
+SampleAnswers sample_answers(const ShadowTruth& truth, std::span<const golden::VoxelState> states) {
+  const auto answers = [&](std::span<const SurfaceSample> samples) {
+    std::vector<std::uint8_t> shadowed(samples.size());
+    for (std::size_t i = 0; i < shadowed.size(); ++i) {
+      const std::uint32_t voxel = samples[i].voxel;
+      // Surface without a voxel is never shadowed by a technique that knows voxels alone.
+      shadowed[i] = voxel != kNoVoxel && is_shadow(states[voxel]) ? 1 : 0;
+    }
+    return shadowed;
+  };
+  return {answers(truth.samples), answers(truth.border_samples)};
 }
 
 ByReceiver<Mislabels> sample_mislabels(const ShadowTruth& truth, std::span<const std::uint8_t> shadowed,
@@ -74,9 +76,10 @@ ByReceiver<Mislabels> sample_mislabels(const ShadowTruth& truth, std::span<const
   return result;
 }
 
-ByReceiver<Displacement> displacement(const ShadowTruth& truth, std::span<const std::uint8_t> shadowed,
+ByReceiver<Displacement> displacement(const ShadowTruth& truth, const SampleAnswers& answers,
                                       const ErrorOptions& options) {
-  expect_size(shadowed.size(), truth.samples.size(), "sample answers");
+  expect_size(answers.samples.size(), truth.samples.size(), "sample answers");
+  expect_size(answers.border.size(), truth.border_samples.size(), "border sample answers");
   ByReceiver<Displacement> result;
   result.ground.pitch = result.models.pitch = options.pitch;
   for (std::uint32_t object = 0; object < truth.border.size(); ++object) {
@@ -84,17 +87,28 @@ ByReceiver<Displacement> displacement(const ShadowTruth& truth, std::span<const 
     to.border_cast += truth.border[object].cast;
     to.border_attached += truth.border[object].attached;
   }
-  for (std::size_t i = 0; i < shadowed.size(); ++i) {
-    const SurfaceSample& s = truth.samples[i];
-    if ((shadowed[i] != 0) == in_shadow(s.exact)) continue;
+  const auto add = [&](const SurfaceSample& s, bool shadowed) {
+    if (shadowed == in_shadow(s.exact)) return;
     Displacement& to = receiver(result, s.object, options);
     (s.exact == Exact::Attached ? to.area_attached : to.area_cast) += double{s.light_area};
+  };
+  for (std::size_t i = 0; i < truth.samples.size(); ++i) {
+    if (truth.on_border[i] == 0) add(truth.samples[i], answers.samples[i] != 0);
   }
+  for (std::size_t i = 0; i < truth.border_samples.size(); ++i)
+    add(truth.border_samples[i], answers.border[i] != 0);
   return result;
 }
 
 ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxels,
                            std::span<const golden::VoxelState> states, const ErrorOptions& options) {
+  expect_size(states.size(), truth.voxels.size(), "voxel states");
+  return shadow_errors(truth, voxels, states, sample_answers(truth, states), options);
+}
+
+ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxels,
+                           std::span<const golden::VoxelState> states, const SampleAnswers& answers,
+                           const ErrorOptions& options) {
   expect_size(voxels.voxels.size(), truth.voxels.size(), "voxels");
   expect_size(states.size(), truth.voxels.size(), "voxel states");
   ShadowErrors errors;
@@ -106,8 +120,7 @@ ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxe
     if (truth.unambiguous[i] != 0)
       count(receiver(errors.unambiguous_voxels, object, options), shadowed, exact);
   }
-  const std::vector<std::uint8_t> answers = sample_answers(truth, states);
-  errors.samples = sample_mislabels(truth, answers, options);
+  errors.samples = sample_mislabels(truth, answers.samples, options);
   errors.displacement = displacement(truth, answers, options);
   return errors;
 }

@@ -68,14 +68,24 @@ struct ErrorOptions {
 ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxels,
                            std::span<const golden::VoxelState> states, const ErrorOptions& options);
 
-/// The answer of every sample where voxels answer: 1 for shadow. `states` as in shadow_errors.
-std::vector<std::uint8_t> sample_answers(const ShadowTruth& truth,
-                                         std::span<const golden::VoxelState> states);
+/// What a technique answers at the truth's samples: 1 for shadow.
+struct SampleAnswers {
+  std::vector<std::uint8_t> samples;  ///< runs as truth.samples
+  std::vector<std::uint8_t> border;   ///< runs as truth.border_samples
+};
 
-/// Only the sample part, for techniques that answer at any point: `shadowed[i]` belongs to truth.samples[i].
-ByReceiver<Displacement> displacement(const ShadowTruth& truth, std::span<const std::uint8_t> shadowed,
+/// The answers where voxels answer. `states` as in shadow_errors.
+SampleAnswers sample_answers(const ShadowTruth& truth, std::span<const golden::VoxelState> states);
+
+/// For techniques that answer at any point. A wrong number of answers throws std::invalid_argument.
+ByReceiver<Displacement> displacement(const ShadowTruth& truth, const SampleAnswers& answers,
                                       const ErrorOptions& options);
 ByReceiver<Mislabels> sample_mislabels(const ShadowTruth& truth, std::span<const std::uint8_t> shadowed,
                                        const ErrorOptions& options);
+
+/// As shadow_errors, with the technique's own answers at the samples instead of the voxels'.
+ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxels,
+                           std::span<const golden::VoxelState> states, const SampleAnswers& answers,
+                           const ErrorOptions& options);
 
 }  // namespace gnomon::metrics

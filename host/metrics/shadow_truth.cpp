@@ -29,10 +29,16 @@ class Sampler {
     const Vec3 across = p.du.cross(p.dv);
     const double area = std::abs(across.dot(reference_.to_light())) / (double{1} * grid.nu * grid.nv);
     const SurfaceQuery query{p.position, surface.normal(grid.face, u, v), grid.object};
-    return {static_cast<float>(p.position.x), static_cast<float>(p.position.y),
-            static_cast<float>(p.position.z), static_cast<float>(area),
-            index_.answering(p.position),     static_cast<std::uint16_t>(grid.object),
-            reference_.classify(query)};
+    SurfaceSample sample{};
+    sample.x = static_cast<float>(p.position.x);
+    sample.y = static_cast<float>(p.position.y);
+    sample.z = static_cast<float>(p.position.z);
+    sample.light_area = static_cast<float>(area);
+    sample.facing = static_cast<float>(reference_.facing(query.normal, grid.object));
+    sample.voxel = index_.answering(p.position);
+    sample.object = static_cast<std::uint16_t>(grid.object);
+    sample.exact = reference_.classify(query);
+    return sample;
   }
 
  private:
@@ -51,6 +57,23 @@ std::vector<SurfaceSample> take_samples(const Sampler& sampler, const SampleGrid
     for (std::uint32_t i = 0; i < grid.nu; ++i)
       samples[grid.cell(i, rows[r].row)] = sampler.sample(grid, i, rows[r].row);
     progress.step();
+  });
+  return samples;
+}
+
+/// Fine samples in the cells that the border crosses, cell by cell.
+std::vector<SurfaceSample> take_border_samples(const Sampler& sampler, const SampleGrids& grids,
+                                               std::span<const CellRef> cells) {
+  constexpr std::size_t kEach = std::size_t{kBorderSplit} * kBorderSplit;
+  std::vector<SurfaceSample> samples(cells.size() * kEach);
+  tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t c) {
+    FaceGrid fine = grids.faces[cells[c].grid];
+    fine.nu *= kBorderSplit;
+    fine.nv *= kBorderSplit;
+    for (std::uint32_t k = 0; k < kEach; ++k) {
+      samples[c * kEach + k] = sampler.sample(fine, cells[c].i * kBorderSplit + k % kBorderSplit,
+                                              cells[c].j * kBorderSplit + k / kBorderSplit);
+    }
   });
   return samples;
 }
@@ -77,13 +100,17 @@ ShadowTruth shadow_truth(const ExactReference& reference, std::span<const surfac
   ShadowTruth truth;
   truth.sag = reference.sag();
   const SampleGrids grids = sample_grids(surfaces, options.spacing);
-  truth.samples = take_samples(Sampler(reference, surfaces, voxels), grids, options);
+  const Sampler sampler(reference, surfaces, voxels);
+  truth.samples = take_samples(sampler, grids, options);
   truth.voxels = voxel_answers(reference, surfaces, voxels);
   std::vector<Exact> answers(truth.samples.size());
   for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = truth.samples[i].exact;
   ShadowBorder border = shadow_border(reference, surfaces, grids, answers, options.spacing);
   truth.unambiguous = unambiguous_voxels(voxels, truth.voxels, truth.samples, border.points);
   truth.border = std::move(border.length);
+  truth.on_border.resize(truth.samples.size());
+  for (const CellRef& at : border.cells) truth.on_border[grids.faces[at.grid].cell(at.i, at.j)] = 1;
+  truth.border_samples = take_border_samples(sampler, grids, border.cells);
   truth.rays = reference.rays() - rays_before;
   truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return truth;

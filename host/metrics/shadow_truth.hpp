@@ -25,6 +25,7 @@ struct TruthOptions {
 struct SurfaceSample {
   float x, y, z;        ///< grid coordinates
   float light_area;     ///< voxels^2: the rectangle's area projected along the light
+  float facing;         ///< cosine between normal and light, negative where the surface faces away
   std::uint32_t voxel;  ///< the set voxel whose state answers here: its own, else the nearest set neighbour;
                         ///< kNoVoxel if none
   std::uint16_t object;
@@ -41,11 +42,19 @@ struct BorderLength {
   }
 };
 
+/// A rectangle that the border crosses is divided into this many on each side.
+inline constexpr std::uint32_t kBorderSplit = 8;
+
 struct ShadowTruth {
   std::vector<Exact> voxels;  ///< at each voxel's representative point
   std::vector<std::uint8_t>
       unambiguous;  ///< 1 where the voxel's cell and its 26 neighbours hold one answer only
   std::vector<SurfaceSample> samples;
+  /// 1 for the samples whose rectangle the exact border crosses: areas there are measured by border_samples.
+  std::vector<std::uint8_t> on_border;
+  /// kBorderSplit^2 samples for each rectangle that the border crosses, so that a displacement far below the
+  /// rectangles' size shows.
+  std::vector<SurfaceSample> border_samples;
   std::vector<BorderLength> border;  ///< by object that receives the shadow
   std::uint64_t rays = 0;
   double seconds = 0;  ///< wall time

@@ -20,18 +20,21 @@ class DisplacementTest : public testing::Test {
                                       fixtures::sheet(2, 2, 30, 30, 4.5, 4, 4)})),
         voxels_(fixtures::voxels(surfaces_, 32)) {}
 
-  ShadowTruth truth(const Vec3& travel) const {
+  ShadowTruth truth(const Vec3& travel, double spacing = 0.05) const {
     TruthOptions options;
-    options.spacing = 0.05;
+    options.spacing = spacing;
     return shadow_truth(ExactReference(surfaces_, {true, true}, {travel}), surfaces_, voxels_, options);
   }
 
   /// The technique's answer on the ground; above it, nothing is in shadow.
   static double measured(const ShadowTruth& truth, double pitch,
                          const std::function<bool(double x, double y)>& dark) {
-    std::vector<std::uint8_t> answers;
-    for (const SurfaceSample& s : truth.samples)
-      answers.push_back(s.object == 1 && dark(double{s.x}, double{s.y}) ? 1 : 0);
+    SampleAnswers answers;
+    const auto answer = [&](const SurfaceSample& s) -> std::uint8_t {
+      return s.object == 1 && dark(double{s.x}, double{s.y}) ? 1 : 0;
+    };
+    for (const SurfaceSample& s : truth.samples) answers.samples.push_back(answer(s));
+    for (const SurfaceSample& s : truth.border_samples) answers.border.push_back(answer(s));
     return displacement(truth, answers, {1u, pitch}).ground.entries();
   }
 
@@ -78,11 +81,31 @@ TEST_F(DisplacementTest, TheExactAnswerIsNotDisplaced) {
   EXPECT_LT(measured(exact, 1, [](double x, double y) { return inside(x, y, 0); }), 0.005);
 }
 
+TEST_F(DisplacementTest, SeesFarLessThanTheSamplesAreApart) {
+  const ShadowTruth exact = truth({0, 0, -1}, 0.5);
+  for (const double d : {0.01, 0.02, 0.05}) {
+    EXPECT_NEAR(measured(exact, 1, [d](double x, double y) { return inside(x, y, d); }), d, 0.004);
+    EXPECT_NEAR(measured(exact, 1, [d](double x, double y) { return inside(x, y, -d); }), d, 0.004);
+  }
+}
+
+TEST_F(DisplacementTest, AreaIsCountedOnceWhetherMeasuredFinelyOrNot) {
+  const ShadowTruth exact = truth({0, 0, -1}, 0.5);
+  SampleAnswers wrong;
+  for (const SurfaceSample& s : exact.samples) wrong.samples.push_back(in_shadow(s.exact) ? 0 : 1);
+  for (const SurfaceSample& s : exact.border_samples) wrong.border.push_back(in_shadow(s.exact) ? 0 : 1);
+  EXPECT_GT(exact.border_samples.size(), 64u * 80);
+  EXPECT_NEAR(displacement(exact, wrong, {1u, 1.0}).ground.area_cast, 28.0 * 28.0, 0.01);
+}
+
 TEST_F(DisplacementTest, NeedsOneAnswerASample) {
   const ShadowTruth exact = truth({0, 0, -1});
-  const std::vector<std::uint8_t> few(3);
+  SampleAnswers few;
+  few.samples.resize(3);
   EXPECT_THROW(displacement(exact, few, {}), std::invalid_argument);
-  EXPECT_THROW(sample_mislabels(exact, few, {}), std::invalid_argument);
+  EXPECT_THROW(sample_mislabels(exact, few.samples, {}), std::invalid_argument);
+  few.samples.resize(exact.samples.size());
+  EXPECT_THROW(displacement(exact, few, {}), std::invalid_argument);
 }
 
 }  // namespace
