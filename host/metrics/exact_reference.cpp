@@ -114,6 +114,10 @@ bool ExactReference::occluded(const Vec3& point, const Vec3& normal, std::uint32
   return in_shadow(classify(SurfaceQuery{point, normal, object}));
 }
 
+bool ExactReference::blocked(const Vec3& point) const {
+  return impl_->geometry->scene.any_hit(point, impl_->to_light);
+}
+
 std::vector<Exact> ExactReference::classify(std::span<const SurfaceQuery> queries) const {
   std::vector<Exact> answers(queries.size());
   tbb::parallel_for(std::size_t{0}, queries.size(),

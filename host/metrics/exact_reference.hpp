@@ -52,6 +52,8 @@ class ExactReference {
   /// Cosine between the normal and the light; never negative for a two-sided object.
   double facing(const Vec3& normal, std::uint32_t object) const;
   bool occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const;
+  /// Whether anything lies between a point of space and the light.
+  bool blocked(const Vec3& point) const;
   /// All queries, on all cores.
   std::vector<Exact> classify(std::span<const SurfaceQuery> queries) const;
 

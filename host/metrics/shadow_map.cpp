@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bias is what a plane through the receiver rises within half a pixel's diagonal: a flat receiver never
+// shadows itself.
+#include "host/metrics/shadow_map.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gnomon::metrics {
+namespace {
+
+constexpr double kMaxSlope = 10;     ///< where the bias stops growing
+constexpr double kCurvature = 0.01;  ///< voxels: of the receiver within a pixel, and rounding
+
+double slope_of(double facing) {
+  return std::min(kMaxSlope, std::sqrt(std::max(0.0, 1 - facing * facing)) / facing);
+}
+
+}  // namespace
+
+bool ShadowMap::in_shadow(const Vec3& point, double facing) const {
+  if (!(facing > 0)) return true;
+  const Vec2 at = plane_.pixel(point);
+  const Vec2 centre(std::floor(at.x) + 0.5, std::floor(at.y) + 0.5);
+  if (std::min(centre.x, centre.y) < 0 || std::max(centre.x, centre.y) > plane_.side) return false;
+  const Vec3 aside =
+      plane_.right * ((centre.x - at.x) * plane_.pitch) + plane_.up * ((centre.y - at.y) * plane_.pitch);
+  const double bias = std::sqrt(0.5) * plane_.pitch * slope_of(facing) + kCurvature;
+  return reference_.blocked(point + aside - plane_.away * bias);
+}
+
+SampleAnswers ShadowMap::answers(const ShadowTruth& truth) const {
+  const auto all = [this](std::span<const SurfaceSample> samples) {
+    std::vector<std::uint8_t> shadowed(samples.size());
+    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+      const SurfaceSample& s = samples[i];
+      shadowed[i] = in_shadow(Vec3(s.x, s.y, s.z), double{s.facing}) ? 1 : 0;
+    });
+    return shadowed;
+  };
+  return {all(truth.samples), all(truth.border_samples)};
+}
+
+}  // namespace gnomon::metrics
