@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Event and cycle counters with one read port (docs/command-stream.md, "Counters"; indices in gnomon_pkg).
 
-module counters (
-  input  logic                clk_i,
-  input  logic                rst_ni,
-  input  gnomon_pkg::events_t events_i,
-  input  gnomon_pkg::sticky_t sticky_i,
-  input  logic [2:0]          pass_i,
-  input  logic [2:0]          cause_i,
-  input  logic [6:0]          index_i,
-  output logic [63:0]         value_o
+module counters #(
+  parameter bit EN_SLB = 1'b0
+) (
+  input  logic                    clk_i,
+  input  logic                    rst_ni,
+  input  gnomon_pkg::events_t     events_i,
+  input  gnomon_pkg::slb_events_t slb_events_i,
+  input  gnomon_pkg::sticky_t     sticky_i,
+  input  logic [3:0]              pass_i,
+  input  logic [2:0]              cause_i,
+  input  logic [6:0]              index_i,
+  output logic [63:0]             value_o
 );
 
   // ---- Events ----
@@ -44,7 +47,7 @@ module counters (
     end
   end
 
-  // ---- Cycles: one of 36 counters moves in a cycle, so they are a RAM; a bit each says that it has counted since reset ----
+  // ---- Cycles: one of 60 counters moves in a cycle, so they are a RAM; a bit each says that it has counted since reset ----
   localparam int unsigned CELLS     = gnomon_pkg::PASS_COUNT * gnomon_pkg::CAUSE_COUNT;
   localparam int unsigned CELL_BITS = $clog2(CELLS);
 
@@ -59,6 +62,18 @@ module counters (
   end
   always_ff @(posedge clk_i) begin
     cycles_q[cell_now] <= (counted_q[cell_now] ? cycles_q[cell_now] : 64'd0) + 64'd1;
+  end
+
+  // ---- Events of the silhouette-line buffer ----
+  logic [6:0]  slb_number;
+  logic [63:0] slb_value;
+  assign slb_number = index_i - gnomon_pkg::COUNTER_SLB;
+  if (EN_SLB) begin : gen_slb
+    slb_counters u_slb (.clk_i, .rst_ni, .events_i(slb_events_i), .number_i(slb_number), .value_o(slb_value));
+  end else begin : gen_no_slb
+    logic unused_slb;
+    assign unused_slb = ^{slb_events_i, slb_number};
+    assign slb_value  = '0;
   end
 
   // ---- Read port ----
@@ -83,7 +98,11 @@ module counters (
       gnomon_pkg::COUNTER_RESOLVED_OFFSET_EMPTY: value_o = offset_empty_q;
       gnomon_pkg::COUNTER_RESOLVED_SHADOW:       value_o = shadow_q;
       gnomon_pkg::COUNTER_STICKY:                value_o = 64'(sticky_i);
-      default: value_o = (is_cell && counted_q[cell_read]) ? cycles_q[cell_read] : 64'd0;
+      default: begin
+        if (!is_cell)                   value_o = slb_value;
+        else if (counted_q[cell_read])  value_o = cycles_q[cell_read];
+        else                            value_o = '0;
+      end
     endcase
   end
 

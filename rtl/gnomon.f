@@ -27,7 +27,10 @@ vpu/vpu_margin.sv
 vpu/vpu_resolve.sv
 vpu/vpu.sv
 stream/command_check.sv
+stream/slb_sequence.sv
+stream/cycle_account.sv
 stream/plane_reader.sv
 stream/command_decoder.sv
+slb_counters.sv
 counters.sv
 gnomon_top.sv

@@ -23,9 +23,24 @@ package gnomon_pkg;
   localparam logic [7:0] OP_READ_PLANE     = 8'h04;
   localparam logic [7:0] OP_PROJECT_VOXELS = 8'h10;
   localparam logic [7:0] OP_RESOLVE_VOXELS = 8'h11;
+  localparam logic [7:0] OP_SLB_CLEAR      = 8'h20;
+  localparam logic [7:0] OP_BEGIN_OBJECT   = 8'h21;
+  localparam logic [7:0] OP_LOOP           = 8'h22;
+  localparam logic [7:0] OP_FILL           = 8'h23;
+  localparam logic [7:0] OP_COVER          = 8'h24;
+  localparam logic [7:0] OP_END_OBJECT     = 8'h25;
+  localparam logic [7:0] OP_QUERY          = 8'h26;
+  localparam logic [7:0] OP_READ_ENTRIES   = 8'h27;
 
   localparam logic [7:0] FENCE_CLEAR_STICKY = 8'h01;
   localparam logic [7:0] RESOLVE_TWO_SIDED  = 8'h01;
+  localparam logic [7:0] BEGIN_FLAT         = 8'h01;
+  localparam logic [7:0] LOOP_MORE          = 8'h01;
+
+  // Commands of the silhouette-line buffer: 0x20..0x27.
+  function automatic bit is_slb_op(logic [7:0] op);
+    is_slb_op = op >= OP_SLB_CLEAR && op <= OP_READ_ENTRIES;
+  endfunction
 
   // ---- Registers ----
   localparam int unsigned REGISTER_COUNT      = 18;
@@ -61,6 +76,7 @@ package gnomon_pkg;
   localparam logic [7:0] ERROR_BAD_REGISTER   = 8'd3;
   localparam logic [7:0] ERROR_BAD_ARGUMENT   = 8'd4;
   localparam logic [7:0] ERROR_RESERVED_FLAG  = 8'd5;
+  localparam logic [7:0] ERROR_BAD_SEQUENCE   = 8'd6;
 
   localparam logic [1:0] STATE_LIT    = 2'd1;
   localparam logic [1:0] STATE_SHADOW = 2'd2;
@@ -68,15 +84,20 @@ package gnomon_pkg;
   localparam int unsigned DEPTH_FIELD_BITS = 24;  // a depth code in words, tags and the plane, whatever DEPTH_BITS
   localparam int unsigned INDEX_FIELD_BITS = 24;  // an entry index in words
 
+  // Bit 0 is the last field.
   typedef struct packed {
-    logic depth_saturated;
-    logic off_plane;
-    logic error_seen;
+    logic       winding_saturated;
+    logic       object_overflow;
+    logic       line_overflow;
+    logic [4:0] zero;
+    logic       depth_saturated;
+    logic       off_plane;
+    logic       error_seen;
   } sticky_t;
 
   typedef struct packed {
     logic [7:0]  code;
-    logic [20:0] zero;
+    logic [12:0] zero;
     sticky_t     sticky;
     logic [31:0] tag;
   } fence_result_t;
@@ -178,12 +199,16 @@ package gnomon_pkg;
   endfunction
 
   // ---- Counters ----
-  localparam logic [2:0] PASS_IDLE    = 3'd0;
-  localparam logic [2:0] PASS_CONTROL = 3'd1;
-  localparam logic [2:0] PASS_CLEAR   = 3'd2;
-  localparam logic [2:0] PASS_PROJECT = 3'd3;
-  localparam logic [2:0] PASS_RESOLVE = 3'd4;
-  localparam logic [2:0] PASS_READ    = 3'd5;
+  localparam logic [3:0] PASS_IDLE    = 4'd0;
+  localparam logic [3:0] PASS_CONTROL = 4'd1;
+  localparam logic [3:0] PASS_CLEAR   = 4'd2;
+  localparam logic [3:0] PASS_PROJECT = 4'd3;
+  localparam logic [3:0] PASS_RESOLVE = 4'd4;
+  localparam logic [3:0] PASS_READ    = 4'd5;
+  localparam logic [3:0] PASS_DRAW    = 4'd6;
+  localparam logic [3:0] PASS_FILL    = 4'd7;
+  localparam logic [3:0] PASS_COVER   = 4'd8;
+  localparam logic [3:0] PASS_QUERY   = 4'd9;
 
   localparam logic [2:0] CAUSE_BUSY           = 3'd0;
   localparam logic [2:0] CAUSE_INPUT_STARVED  = 3'd1;
@@ -192,7 +217,7 @@ package gnomon_pkg;
   localparam logic [2:0] CAUSE_HAZARD         = 3'd4;
   localparam logic [2:0] CAUSE_IDLE           = 3'd5;
 
-  localparam int unsigned PASS_COUNT  = 6;
+  localparam int unsigned PASS_COUNT  = 10;
   localparam int unsigned CAUSE_COUNT = 6;
 
   // One bit an event counter, each at most one a cycle.
@@ -210,6 +235,33 @@ package gnomon_pkg;
     logic resolved_shadow;
   } events_t;
 
+  // Increments of the silhouette-line buffer's event counters in a cycle, in the order of docs/slb.md.
+  typedef struct packed {
+    logic        object;
+    logic        loop;
+    logic        loop_short;
+    logic        loop_tiny;
+    logic [63:0] tiny_area2;
+    logic        vertex;
+    logic        vertex_repeated;
+    logic        crossing;
+    logic        chain;
+    logic        chain_off_plane;
+    logic        chain_dropped;
+    logic        chain_reduced;
+    logic        group_evicted;
+    logic        winding_saturated;
+    logic [4:0]  fill_pixels;
+    logic        fill_group;
+    logic [4:0]  fill_covered;
+    logic        cover_sample;
+    logic        cover_used;
+    logic        query;
+    logic        query_shadow;
+    logic        query_off_plane;
+    logic        query_overflow;
+  } slb_events_t;
+
   // Indices of the counter read port of gnomon_top.
   localparam logic [6:0] COUNTER_COMMANDS              = 7'd0;
   localparam logic [6:0] COUNTER_ERRORS                = 7'd1;
@@ -223,7 +275,9 @@ package gnomon_pkg;
   localparam logic [6:0] COUNTER_RESOLVED_OFFSET_EMPTY = 7'd9;
   localparam logic [6:0] COUNTER_RESOLVED_SHADOW       = 7'd10;
   localparam logic [6:0] COUNTER_STICKY                = 7'd11;
-  localparam logic [6:0] COUNTER_CYCLES                = 7'd16;  // + 6 * pass + cause
+  localparam logic [6:0] COUNTER_SLB                   = 7'd16;  // + number in the order of slb_events_t
+  localparam logic [6:0] COUNTER_CYCLES                = 7'd64;  // + 6 * pass + cause
+  localparam int unsigned SLB_COUNTER_COUNT = 23;
 
 endpackage
 /* verilator lint_on UNUSEDPARAM */

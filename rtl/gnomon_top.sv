@@ -12,8 +12,18 @@ module gnomon_top #(
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
   parameter bit          EN_VPU_OFFSET    = 1'b1,
-  parameter int unsigned MEM_LATENCY      = 1,      // cycles of a read of the plane's RAM
-  parameter int unsigned MEM_STALL_SEED   = 0       // test aid: other than 0 (1..65535), the plane's ports stall at random
+  // The silhouette-line buffer (docs/slb.md), with a plane of its own.
+  parameter bit          EN_SLB           = 1'b0,
+  parameter int unsigned SLB_PLANE_LOG2   = 8,
+  parameter int unsigned FRAC_BITS        = 7,
+  parameter int unsigned SLOPE_BITS       = 7,
+  parameter int unsigned FRAGS_PER_PIXEL  = 2,
+  parameter int unsigned SUBPIXEL_BITS    = 10,
+  parameter int unsigned QUERY_BITS       = 10,
+  parameter int unsigned SLB_ROUNDING     = 0,
+  parameter int unsigned SLB_DIVIDERS     = 2,
+  parameter int unsigned MEM_LATENCY      = 1,      // cycles of a read of a plane's RAM
+  parameter int unsigned MEM_STALL_SEED   = 0       // test aid: other than 0 (1..65535), the planes' ports stall at random
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,           // synchronous
@@ -25,7 +35,8 @@ module gnomon_top #(
   output logic        res_valid_o,
   input  logic        res_ready_i,
   output logic [63:0] res_data_o,
-  // Counters, combinational: 0..10 events, 11 sticky flags, 16 + 6 pass + cause cycles.
+  // Counters, combinational: 0..10 events, 11 sticky flags, 16..38 events of the silhouette-line buffer,
+  // 64 + 6 pass + cause cycles.
   input  logic [6:0]  counter_index_i,
   output logic [63:0] counter_value_o,
   // Nothing under way and nothing buffered: without another word nothing more will happen. Also between the items of a
@@ -35,8 +46,11 @@ module gnomon_top #(
 
   parameter_check #(
     .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
-    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
-    .MEM_LATENCY(MEM_LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
+    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_SLB(EN_SLB),
+    .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
+    .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS),
+    .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(MEM_LATENCY),
+    .MEM_STALL_SEED(MEM_STALL_SEED)
   ) u_parameter_check ();
 
   localparam int unsigned INDEX = 2 * PLANE_LOG2;
@@ -58,6 +72,11 @@ module gnomon_top #(
     .valid_o(res_valid_o), .ready_i(res_ready_i), .data_o(res_data_o)
   );
 
+  // ---- Silhouette-line buffer ----
+  logic                    slb_start, slb_item_valid, slb_item_ready, slb_close_valid, slb_close_ready;
+  logic                    slb_idle, slb_step, slb_wait;
+  gnomon_pkg::slb_events_t slb_events;
+
   // ---- Decoder ----
   logic                                       register_write, item_valid, item_ready, item_resolve, item_two_sided;
   logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index;
@@ -70,20 +89,36 @@ module gnomon_top #(
   logic                                       off_plane, saturated, quiet;
   gnomon_pkg::events_t                        events;
   gnomon_pkg::sticky_t                        sticky;
-  logic [2:0]                                 pass, cause;
-  command_decoder #(.PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET)) u_decoder (
+  logic [3:0]                                 pass;
+  logic [2:0]                                 cause;
+  command_decoder #(
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_SLB(1'b0), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
+  ) u_decoder (
     .clk_i, .rst_ni, .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
     .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_valid),
     .item_ready_i(item_ready), .item_resolve_o(item_resolve), .item_two_sided_o(item_two_sided),
-    .vpu_idle_i(vpu_idle), .plane_idle_i(plane_idle), .clear_valid_o(clear_valid), .clear_ready_i(clear_ready),
+    .vpu_idle_i(vpu_idle), .slb_start_o(slb_start), .slb_item_valid_o(slb_item_valid),
+    .slb_item_ready_i(slb_item_ready), .slb_close_valid_o(slb_close_valid), .slb_close_ready_i(slb_close_ready),
+    .slb_idle_i(slb_idle), .slb_step_i(slb_step), .slb_wait_i(slb_wait), .plane_idle_i(plane_idle), .clear_valid_o(clear_valid), .clear_ready_i(clear_ready),
     .clear_last_i(clear_last), .read_start_o(read_start), .read_first_o(read_first),
     .read_count_minus1_o(read_count_minus1), .reading_o(reading), .read_step_i(read_step), .read_last_i(read_last),
     .result_valid_o(decoder_valid), .result_ready_i(result_ready), .result_o(decoder_result),
-    .off_plane_i(off_plane), .saturated_i(saturated), .sticky_o(sticky),
+    .off_plane_i(off_plane), .saturated_i(saturated),
+    .line_overflow_i(slb_events.chain_dropped || slb_events.chain_reduced),
+    .object_overflow_i(slb_events.group_evicted), .winding_saturated_i(slb_events.winding_saturated), .sticky_o(sticky),
     .output_blocked_i(result_valid && !result_ready), .pass_o(pass), .cause_o(cause),
     .command_o(events.command), .error_o(events.error), .quiet_o(quiet)
   );
   assign idle_o = quiet && !res_valid_o;
+
+  assign slb_item_ready  = 1'b1;
+  assign slb_close_ready = 1'b1;
+  assign slb_idle        = 1'b1;
+  assign slb_step        = 1'b0;
+  assign slb_wait        = 1'b0;
+  assign slb_events      = '0;
+  logic unused_slb;
+  assign unused_slb = ^{slb_start, slb_item_valid, slb_close_valid};
 
   // ---- VPU ----
   logic                         update_valid, update_ready, modify_write;
@@ -200,8 +235,8 @@ module gnomon_top #(
   assign events.resolved_uncertain    = vpu_given && vpu_result.uncertain;
   assign events.resolved_offset_empty = vpu_given && vpu_result.offset_empty;
   assign events.resolved_shadow       = vpu_given && vpu_result.state == gnomon_pkg::STATE_SHADOW;
-  counters u_counters (
-    .clk_i, .rst_ni, .events_i(events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause),
+  counters #(.EN_SLB(EN_SLB)) u_counters (
+    .clk_i, .rst_ni, .events_i(events), .slb_events_i(slb_events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause),
     .index_i(counter_index_i), .value_o(counter_value_o)
   );
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md, "Parameters").
+// Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md and docs/slb.md,
+// "Parameters"); those of the silhouette-line buffer only where it is built.
 
 module parameter_check #(
   parameter int unsigned VOXEL_BITS       = 8,
@@ -8,6 +9,15 @@ module parameter_check #(
   parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
+  parameter bit          EN_SLB           = 1'b0,
+  parameter int unsigned SLB_PLANE_LOG2   = 8,
+  parameter int unsigned FRAC_BITS        = 7,
+  parameter int unsigned SLOPE_BITS       = 7,
+  parameter int unsigned FRAGS_PER_PIXEL  = 2,
+  parameter int unsigned SUBPIXEL_BITS    = 10,
+  parameter int unsigned QUERY_BITS       = 10,
+  parameter int unsigned SLB_ROUNDING     = 0,
+  parameter int unsigned SLB_DIVIDERS     = 2,
   parameter int unsigned MEM_LATENCY      = 1,
   parameter int unsigned MEM_STALL_SEED   = 0
 );
@@ -36,5 +46,30 @@ module parameter_check #(
     $error("MEM_LATENCY is out of range 1..64");
   if (MEM_STALL_SEED > 65535)
     $error("MEM_STALL_SEED is out of range 0..65535");
+
+  if (EN_SLB) begin : gen_slb
+    if (FRAC_BITS < 3 || FRAC_BITS > 8)
+      $error("FRAC_BITS is out of range 3..8");
+    if (SLOPE_BITS < 3 || SLOPE_BITS > 9)
+      $error("SLOPE_BITS is out of range 3..9");
+    if (FRAGS_PER_PIXEL < 1 || FRAGS_PER_PIXEL > 4)
+      $error("FRAGS_PER_PIXEL is out of range 1..4");
+    if (SLB_PLANE_LOG2 < 3 || SLB_PLANE_LOG2 > 12)
+      $error("SLB_PLANE_LOG2 is out of range 3..12");
+    if (SUBPIXEL_BITS < FRAC_BITS + 3 || SUBPIXEL_BITS > 16)
+      $error("SUBPIXEL_BITS is out of range FRAC_BITS + 3..16");
+    if (SUBPIXEL_BITS + FRAC_BITS < SLOPE_BITS + 4)
+      $error("SUBPIXEL_BITS is below SLOPE_BITS - FRAC_BITS + 4");
+    if (QUERY_BITS < FRAC_BITS + 3 || QUERY_BITS > 16)
+      $error("QUERY_BITS is out of range FRAC_BITS + 3..16");
+    if (2 * (SLB_PLANE_LOG2 + 2 + SUBPIXEL_BITS) + DEPTH_BITS > 64)
+      $error("2 (SLB_PLANE_LOG2 + 2 + SUBPIXEL_BITS) + DEPTH_BITS is above 64: a vertex does not fit a word");
+    if (2 * (SLB_PLANE_LOG2 + 2 + QUERY_BITS) + DEPTH_BITS > 64)
+      $error("2 (SLB_PLANE_LOG2 + 2 + QUERY_BITS) + DEPTH_BITS is above 64: a query does not fit a word");
+    if (SLB_ROUNDING > 1)
+      $error("SLB_ROUNDING is out of range 0..1");
+    if (SLB_DIVIDERS < 1 || SLB_DIVIDERS > 3)
+      $error("SLB_DIVIDERS is out of range 1..3");
+  end
 
 endmodule

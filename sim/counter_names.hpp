@@ -18,10 +18,36 @@ inline constexpr std::array<std::string_view, 11> kEventNames{"COMMANDS",       
                                                               "RESOLVED_SHADOW"};
 inline constexpr std::uint32_t kStickyCounter = 11;
 
+/// Event counters of the silhouette-line buffer: index kFirstSlbCounter + number here; 0 in hardware without.
+inline constexpr std::uint32_t kFirstSlbCounter = 16;
+inline constexpr std::array<std::string_view, 23> kSlbEventNames{"SLB_OBJECTS",
+                                                                 "SLB_LOOPS",
+                                                                 "SLB_LOOPS_SHORT",
+                                                                 "SLB_LOOPS_TINY",
+                                                                 "SLB_TINY_AREA2",
+                                                                 "SLB_VERTICES",
+                                                                 "SLB_VERTICES_REPEATED",
+                                                                 "SLB_CROSSINGS",
+                                                                 "SLB_CHAINS",
+                                                                 "SLB_CHAINS_OFF_PLANE",
+                                                                 "SLB_CHAINS_DROPPED",
+                                                                 "SLB_CHAINS_REDUCED",
+                                                                 "SLB_GROUPS_EVICTED",
+                                                                 "SLB_WINDING_SATURATED",
+                                                                 "SLB_FILL_PIXELS",
+                                                                 "SLB_FILL_GROUPS",
+                                                                 "SLB_FILL_COVERED",
+                                                                 "SLB_COVERS",
+                                                                 "SLB_COVERS_USED",
+                                                                 "SLB_QUERIES",
+                                                                 "SLB_QUERIES_SHADOW",
+                                                                 "SLB_QUERIES_OFF_PLANE",
+                                                                 "SLB_QUERIES_OVERFLOW"};
+
 /// Cycle counters: index kFirstCycleCounter + kCauses * pass + cause.
-inline constexpr std::uint32_t kFirstCycleCounter = 16;
-inline constexpr std::array<std::string_view, 6> kPassNames{"IDLE",    "CONTROL", "CLEAR",
-                                                            "PROJECT", "RESOLVE", "READ"};
+inline constexpr std::uint32_t kFirstCycleCounter = 64;
+inline constexpr std::array<std::string_view, 10> kPassNames{"IDLE", "CONTROL", "CLEAR", "PROJECT", "RESOLVE",
+                                                             "READ", "DRAW",    "FILL",  "COVER",   "QUERY"};
 inline constexpr std::array<std::string_view, 6> kCauseNames{"BUSY",        "INPUT_STARVED", "OUTPUT_BLOCKED",
                                                              "MEMORY_WAIT", "HAZARD",        "IDLE"};
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of a command header (docs/command-stream.md, "Results"), the first that applies in the order 1, 5, 2, 3, 4.
+// Errors of a command header (docs/command-stream.md, "Results"), the first that applies in the order 1, 5, 2, 3, 4, 6.
 // Combinational.
 
 module command_check #(
-  parameter int unsigned PLANE_LOG2    = 9,
-  parameter bit          EN_VPU_OFFSET = 1'b1
+  parameter int unsigned PLANE_LOG2     = 9,
+  parameter bit          EN_VPU_OFFSET  = 1'b1,
+  parameter bit          EN_SLB         = 1'b0,
+  parameter int unsigned SLB_PLANE_LOG2 = 8
 ) (
   input  gnomon_pkg::header_t header_i,
+  input  logic                allowed_i,  // by the state of the silhouette-line buffer
   output logic [7:0]          error_o   // ERROR_NONE if the command is good
 );
 
@@ -20,26 +23,34 @@ module command_check #(
       gnomon_pkg::OP_FENCE:          allowed_flags = gnomon_pkg::FENCE_CLEAR_STICKY;
       gnomon_pkg::OP_RESOLVE_VOXELS: allowed_flags = gnomon_pkg::RESOLVE_TWO_SIDED;
       gnomon_pkg::OP_NOP, gnomon_pkg::OP_SET_REGISTERS, gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_READ_PLANE,
-      gnomon_pkg::OP_PROJECT_VOXELS: ;
+      gnomon_pkg::OP_PROJECT_VOXELS, gnomon_pkg::OP_SLB_CLEAR, gnomon_pkg::OP_FILL, gnomon_pkg::OP_COVER,
+      gnomon_pkg::OP_END_OBJECT, gnomon_pkg::OP_QUERY, gnomon_pkg::OP_READ_ENTRIES: ;
+      gnomon_pkg::OP_BEGIN_OBJECT:   allowed_flags = gnomon_pkg::BEGIN_FLAT;
+      gnomon_pkg::OP_LOOP:           allowed_flags = gnomon_pkg::LOOP_MORE;
       default:                       known = 1'b0;
     endcase
   end
 
-  assign absent = !EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS;
+  assign absent = (!EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS) ||
+                  (!EN_SLB && gnomon_pkg::is_slb_op(header_i.op));
 
   // The sum of the numbers: 33 bits, so that it does not wrap.
   assign bad_register = header_i.op == gnomon_pkg::OP_SET_REGISTERS &&
                         33'(header_i.arg) + 33'(header_i.count) > 33'(gnomon_pkg::REGISTER_COUNT);
 
-  localparam logic [24:0] LAST_ENTRY = (25'd1 << (2 * PLANE_LOG2)) - 25'd1;
-  logic beyond_plane, has_items;
-  assign beyond_plane = 25'(header_i.arg[23:0]) + 25'(header_i.arg[31:24]) > LAST_ENTRY;
-  assign has_items    = header_i.count != '0;
+  localparam logic [24:0] LAST_ENTRY     = (25'd1 << (2 * PLANE_LOG2)) - 25'd1;
+  localparam logic [24:0] LAST_SLB_ENTRY = (25'd1 << (2 * SLB_PLANE_LOG2)) - 25'd1;
+  logic [24:0] last_read;
+  logic        has_items;
+  assign last_read = 25'(header_i.arg[23:0]) + 25'(header_i.arg[31:24]);
+  assign has_items = header_i.count != '0;
   always_comb begin
     case (header_i.op)
-      gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_FENCE: bad_argument = has_items;
-      gnomon_pkg::OP_READ_PLANE:                        bad_argument = has_items || beyond_plane;
-      default:                                          bad_argument = 1'b0;
+      gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_FENCE, gnomon_pkg::OP_SLB_CLEAR, gnomon_pkg::OP_BEGIN_OBJECT,
+      gnomon_pkg::OP_FILL, gnomon_pkg::OP_END_OBJECT: bad_argument = has_items;
+      gnomon_pkg::OP_READ_PLANE:                      bad_argument = has_items || last_read > LAST_ENTRY;
+      gnomon_pkg::OP_READ_ENTRIES:                    bad_argument = has_items || last_read > LAST_SLB_ENTRY;
+      default:                                        bad_argument = 1'b0;
     endcase
   end
 
@@ -49,6 +60,7 @@ module command_check #(
     else if (absent)                                   error_o = gnomon_pkg::ERROR_FEATURE_ABSENT;
     else if (bad_register)                             error_o = gnomon_pkg::ERROR_BAD_REGISTER;
     else if (bad_argument)                             error_o = gnomon_pkg::ERROR_BAD_ARGUMENT;
+    else if (!allowed_i)                               error_o = gnomon_pkg::ERROR_BAD_SEQUENCE;
     else                                               error_o = gnomon_pkg::ERROR_NONE;
   end
 

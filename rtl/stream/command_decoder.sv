@@ -5,8 +5,10 @@
 `include "assertions.svh"
 
 module command_decoder #(
-  parameter int unsigned PLANE_LOG2    = 9,
-  parameter bit          EN_VPU_OFFSET = 1'b1
+  parameter int unsigned PLANE_LOG2     = 9,
+  parameter bit          EN_VPU_OFFSET  = 1'b1,
+  parameter bit          EN_SLB         = 1'b0,
+  parameter int unsigned SLB_PLANE_LOG2 = 8
 ) (
   input  logic                                       clk_i,
   input  logic                                       rst_ni,
@@ -22,6 +24,15 @@ module command_decoder #(
   output logic                                       item_resolve_o,
   output logic                                       item_two_sided_o,
   input  logic                                       vpu_idle_i,
+  // Silhouette-line buffer.
+  output logic                                       slb_start_o,      // a good command of its own is taken: word_i
+  output logic                                       slb_item_valid_o, // item of that command: word_i
+  input  logic                                       slb_item_ready_i,
+  output logic                                       slb_close_valid_o, // LOOP without MORE: after its last item
+  input  logic                                       slb_close_ready_i,
+  input  logic                                       slb_idle_i,
+  input  logic                                       slb_step_i,       // it did one step
+  input  logic                                       slb_wait_i,       // it waits for its memory
   // Plane: fence, clear, read.
   input  logic                                       plane_idle_i,
   output logic                                       clear_valid_o,
@@ -37,21 +48,26 @@ module command_decoder #(
   output logic                                       result_valid_o,
   input  logic                                       result_ready_i,
   output logic [63:0]                                result_o,
-  // Events of the project pass that raise sticky flags.
+  // Events that raise sticky flags.
   input  logic                                       off_plane_i,
   input  logic                                       saturated_i,
+  input  logic                                       line_overflow_i,
+  input  logic                                       object_overflow_i,
+  input  logic                                       winding_saturated_i,
   output gnomon_pkg::sticky_t                        sticky_o,
   // Accounting.
   input  logic                                       output_blocked_i,  // a result was offered and not taken
-  output logic [2:0]                                 pass_o,
+  output logic [3:0]                                 pass_o,
   output logic [2:0]                                 cause_o,
   output logic                                       command_o,         // event: header taken
   output logic                                       error_o,           // event: error result given
   output logic                                       quiet_o            // nothing happens before another word comes
 );
 
-  typedef enum logic [2:0] {
-    StHeader, StItems, StSkip, StResult, StClear, StScrub, StRead
+  typedef enum logic [3:0] {
+    StHeader, StItems, StSkip, StResult, StClear, StScrub, StRead,
+    StClose,  // the end of a loop is handed over
+    StUnit    // the silhouette-line buffer clears, fills or reads
   } state_e;
 
   state_e              state_q, state_d;
@@ -61,21 +77,30 @@ module command_decoder #(
   gnomon_pkg::sticky_t sticky_q;
 
   assign header = word_i;
-  command_check #(.PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET)) u_check (.header_i(header), .error_o(error));
+
+  logic allowed, good, take_header;
+  command_check #(
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
+  ) u_check (.header_i(header), .allowed_i(allowed), .error_o(error));
+  assign good = error == gnomon_pkg::ERROR_NONE;
+  slb_sequence u_sequence (.clk_i, .rst_ni, .header_i(header), .take_i(take_header && good), .allowed_o(allowed));
 
   // ---- Headers: a barrier unless the same pass goes on ----
-  logic good, drained, same_pass, take_header;
-  assign good        = error == gnomon_pkg::ERROR_NONE;
-  assign drained     = vpu_idle_i && plane_idle_i;
-  assign same_pass   = good && header.op == command_q.op &&
-                       (header.op == gnomon_pkg::OP_PROJECT_VOXELS || header.op == gnomon_pkg::OP_RESOLVE_VOXELS);
+  logic drained, streams, same_pass;
+  assign drained     = vpu_idle_i && plane_idle_i && slb_idle_i;
+  assign streams     = header.op == gnomon_pkg::OP_PROJECT_VOXELS || header.op == gnomon_pkg::OP_RESOLVE_VOXELS ||
+                       header.op == gnomon_pkg::OP_LOOP || header.op == gnomon_pkg::OP_COVER ||
+                       header.op == gnomon_pkg::OP_QUERY;
+  assign same_pass   = good && streams && header.op == command_q.op;
   assign take_header = state_q == StHeader && word_valid_i && (drained || same_pass || mutations_pkg::SKIP_BARRIER);
 
   // ---- Items ----
-  logic to_vpu, to_registers, take_item, last_item;
+  logic to_vpu, to_registers, to_slb, item_free, take_item, last_item;
   assign to_registers = state_q == StItems && command_q.op == gnomon_pkg::OP_SET_REGISTERS;
-  assign to_vpu       = state_q == StItems && !to_registers;
-  assign take_item    = word_valid_i && (state_q == StSkip || to_registers || (to_vpu && item_ready_i));
+  assign to_slb       = state_q == StItems && gnomon_pkg::is_slb_op(command_q.op);
+  assign to_vpu       = state_q == StItems && !to_registers && !to_slb;
+  assign item_free    = state_q == StSkip || to_registers || (to_vpu && item_ready_i) || (to_slb && slb_item_ready_i);
+  assign take_item    = word_valid_i && item_free;
   assign last_item    = take_item && command_q.count == 16'd1;
   assign word_ready_o = take_header || take_item;
 
@@ -84,6 +109,10 @@ module command_decoder #(
   assign item_two_sided_o = (command_q.flags & gnomon_pkg::RESOLVE_TWO_SIDED) != '0;
   assign register_write_o = to_registers && word_valid_i;
   assign register_index_o = command_q.arg[gnomon_pkg::REGISTER_INDEX_BITS-1:0];
+
+  assign slb_start_o       = take_header && good && gnomon_pkg::is_slb_op(header.op);
+  assign slb_item_valid_o  = to_slb && word_valid_i;
+  assign slb_close_valid_o = state_q == StClose;
 
   // ---- Results of its own ----
   logic                        is_error, give;
@@ -112,6 +141,11 @@ module command_decoder #(
   assign read_count_minus1_o = header.arg[31:24];
 
   // ---- State ----
+  // What follows the last item of the command in progress, or of the header with none.
+  logic closes_header, closes_command;
+  assign closes_header  = header.op == gnomon_pkg::OP_LOOP && (header.flags & gnomon_pkg::LOOP_MORE) == '0;
+  assign closes_command = state_q == StItems && command_q.op == gnomon_pkg::OP_LOOP &&
+                          (command_q.flags & gnomon_pkg::LOOP_MORE) == '0;
   always_comb begin
     state_d = state_q;
     case (state_q)
@@ -124,16 +158,22 @@ module command_decoder #(
               gnomon_pkg::OP_CLEAR_PLANE: state_d = StClear;
               gnomon_pkg::OP_FENCE:       state_d = StResult;
               gnomon_pkg::OP_READ_PLANE:  state_d = StRead;
+              gnomon_pkg::OP_SLB_CLEAR, gnomon_pkg::OP_FILL, gnomon_pkg::OP_READ_ENTRIES: state_d = StUnit;
               gnomon_pkg::OP_NOP:         state_d = (header.count == '0) ? StHeader : StSkip;
-              default:                    state_d = (header.count == '0) ? StHeader : StItems;
+              default: begin
+                if (header.count != '0) state_d = StItems;
+                else if (closes_header) state_d = StClose;
+              end
             endcase
           end
         end
       end
-      StItems, StSkip: if (last_item) state_d = StHeader;
+      StItems, StSkip: if (last_item) state_d = closes_command ? StClose : StHeader;
+      StClose:         if (slb_close_ready_i) state_d = StHeader;
+      StUnit:          if (slb_idle_i) state_d = StHeader;
       StResult:        if (give) state_d = (is_error && command_q.count != '0) ? StSkip : StHeader;
       StClear:         if (clear_ready_i) state_d = StScrub;
-      StScrub:         if (clear_last_i) state_d = StHeader;
+      StScrub:         if ((clear_last_i || plane_idle_i) && slb_idle_i) state_d = StHeader;
       StRead:          if (read_last_i) state_d = StHeader;
       default:         state_d = StHeader;
     endcase
@@ -141,7 +181,7 @@ module command_decoder #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q         <= StScrub;  // the plane scrubs itself after reset
+      state_q         <= StScrub;  // the planes scrub themselves after reset
       command_q       <= '0;
       command_q.op    <= gnomon_pkg::OP_CLEAR_PLANE;
       error_q         <= gnomon_pkg::ERROR_NONE;
@@ -171,6 +211,9 @@ module command_decoder #(
       if (error_o)     sticky_q.error_seen      <= 1'b1;
       if (off_plane_i) sticky_q.off_plane       <= !mutations_pkg::LOSE_STICKY;
       if (saturated_i) sticky_q.depth_saturated <= 1'b1;
+      if (line_overflow_i)     sticky_q.line_overflow     <= 1'b1;
+      if (object_overflow_i)   sticky_q.object_overflow   <= 1'b1;
+      if (winding_saturated_i) sticky_q.winding_saturated <= 1'b1;
     end
   end
   assign sticky_o  = sticky_q;
@@ -178,54 +221,34 @@ module command_decoder #(
   assign error_o   = give && is_error;
   assign quiet_o   = !word_valid_i && drained && (state_q == StHeader || state_q == StItems || state_q == StSkip);
 
-  // ---- Accounting: pass of a command, then what became of the cycle ----
-  logic       new_header;
-  logic [7:0] pass_op;
-  logic       pass_error;
-  assign new_header = take_header;
-  assign pass_op    = new_header ? header.op : command_q.op;
-  assign pass_error = new_header ? !good : is_error;
-  always_comb begin
-    if (state_q == StHeader && !take_header && drained) begin
-      pass_o = gnomon_pkg::PASS_IDLE;
-    end else if (pass_error) begin
-      pass_o = gnomon_pkg::PASS_CONTROL;
-    end else begin
-      case (pass_op)
-        gnomon_pkg::OP_CLEAR_PLANE:    pass_o = gnomon_pkg::PASS_CLEAR;
-        gnomon_pkg::OP_READ_PLANE:     pass_o = gnomon_pkg::PASS_READ;
-        gnomon_pkg::OP_PROJECT_VOXELS: pass_o = gnomon_pkg::PASS_PROJECT;
-        gnomon_pkg::OP_RESOLVE_VOXELS: pass_o = gnomon_pkg::PASS_RESOLVE;
-        default:                       pass_o = gnomon_pkg::PASS_CONTROL;
-      endcase
-    end
-  end
-
-  logic stepped, may_starve;
+  // ---- Accounting ----
+  logic stepped, starved;
   always_comb begin
     case (state_q)
-      StHeader:        stepped = take_header;
-      StItems, StSkip: stepped = take_item;
+      StHeader:        stepped = take_header || slb_step_i;
+      StItems, StSkip: stepped = take_item || slb_step_i;
       StResult:        stepped = give;
       StClear:         stepped = clear_ready_i;
       StScrub:         stepped = 1'b1;
+      StClose:         stepped = slb_close_ready_i || slb_step_i;
+      StUnit:          stepped = slb_step_i;
       default:         stepped = read_step_i;
     endcase
   end
-  // Where another word would have been taken: the pipelines are not held up.
-  assign may_starve = state_q == StSkip || to_registers || ((to_vpu || state_q == StHeader) && item_ready_i);
+  // Where another word would have been taken: the pipelines are not held up. The silhouette-line buffer says itself what
+  // it waits for.
   always_comb begin
-    if (stepped)                     cause_o = gnomon_pkg::CAUSE_BUSY;
-    else if (output_blocked_i && pass_o != gnomon_pkg::PASS_IDLE)
-                                     cause_o = gnomon_pkg::CAUSE_OUTPUT_BLOCKED;
-    else if (pass_o == gnomon_pkg::PASS_IDLE)
-                                     cause_o = gnomon_pkg::CAUSE_IDLE;
-    else if (!may_starve)            cause_o = gnomon_pkg::CAUSE_MEMORY_WAIT;
-    else if (word_valid_i)           cause_o = gnomon_pkg::CAUSE_HAZARD;
-    else                             cause_o = gnomon_pkg::CAUSE_INPUT_STARVED;
+    if (gnomon_pkg::is_slb_op(command_q.op) && state_q != StUnit) starved = !slb_wait_i;
+    else starved = item_free || (state_q == StHeader && item_ready_i);
   end
+  cycle_account u_account (
+    .idle_i(state_q == StHeader && !take_header && drained), .error_i(take_header ? !good : is_error),
+    .op_i(take_header ? header.op : command_q.op), .stepped_i(stepped), .output_blocked_i,
+    .memory_wait_i(!starved), .word_valid_i, .pass_o, .cause_o
+  );
 
   `GNOMON_ASSERT_STREAM(a_item_stable, item_valid_o, item_ready_i, {word_i, item_resolve_o, item_two_sided_o})
+  `GNOMON_ASSERT_STREAM(a_slb_item_stable, slb_item_valid_o, slb_item_ready_i, word_i)
   `GNOMON_ASSERT_STREAM(a_result_stable, result_valid_o, result_ready_i, result_o)
   `GNOMON_ASSERT(a_register_exists, !register_write_o || command_q.arg < 32'(gnomon_pkg::REGISTER_COUNT))
 

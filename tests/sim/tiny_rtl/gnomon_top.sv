@@ -40,8 +40,8 @@ module gnomon_top #(
   assign take = cmd_valid_i && cmd_ready_o;
   assign idle_o = !res_valid_o && reads_left == 0;
   assign counter_value_o = (counter_index_i == 7'd0)  ? commands :
-                           (counter_index_i == 7'd16) ? cycles - starved :
-                           (counter_index_i == 7'd17) ? starved : 64'd0;
+                           (counter_index_i == 7'd64) ? cycles - starved :
+                           (counter_index_i == 7'd65) ? starved : 64'd0;
 `ifdef TINY_HANGS
   assign cmd_ready_o = commands < 64'd3;
 `else
