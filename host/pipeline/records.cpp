@@ -70,15 +70,18 @@ std::vector<report::RegisterRecord> register_records(const plan::VpuPlan& plan) 
 
 report::ErrorsRecord errors_record(const metrics::ShadowTruth& truth, const voxel::VoxelSet& voxels,
                                    std::span<const golden::VoxelState> fixed,
-                                   std::span<const golden::VoxelState> in_double,
+                                   const metrics::SampleAnswers& samples,
+                                   const std::optional<std::vector<golden::VoxelState>>& in_double,
                                    const metrics::ErrorOptions& options) {
   report::ErrorsRecord record;
-  record.fixed = error_record(metrics::shadow_errors(truth, voxels, fixed, options));
-  record.in_double = error_record(metrics::shadow_errors(truth, voxels, in_double, options));
+  record.fixed = error_record(metrics::shadow_errors(truth, voxels, fixed, samples, options));
+  if (!in_double) return record;
+  report::DoubleRecord& exact_arithmetic = record.in_double.emplace();
+  exact_arithmetic.error = error_record(metrics::shadow_errors(truth, voxels, *in_double, options));
   for (std::size_t i = 0; i < fixed.size(); ++i) {
-    if (fixed[i] == in_double[i]) continue;
-    ++record.quantised_differing;
-    record.quantised_differing_unambiguous += truth.unambiguous[i];
+    if (fixed[i] == (*in_double)[i]) continue;
+    ++exact_arithmetic.differing;
+    exact_arithmetic.differing_unambiguous += truth.unambiguous[i];
   }
   return record;
 }

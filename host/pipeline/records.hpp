@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gnomon/golden/codec.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,10 +19,12 @@ report::RunRecord request_record(const RunRequest& request);
 
 std::vector<report::RegisterRecord> register_records(const plan::VpuPlan& plan);
 
-/// Both methods against the exact answers, and against each other.
+/// The technique against the exact answers; where there is one, the method in double too, and both against
+/// each other.
 report::ErrorsRecord errors_record(const metrics::ShadowTruth& truth, const voxel::VoxelSet& voxels,
                                    std::span<const golden::VoxelState> fixed,
-                                   std::span<const golden::VoxelState> in_double,
+                                   const metrics::SampleAnswers& samples,
+                                   const std::optional<std::vector<golden::VoxelState>>& in_double,
                                    const metrics::ErrorOptions& options);
 
 report::ExactRecord exact_record(const metrics::ExactReference& reference, const metrics::ShadowTruth& truth);

@@ -16,6 +16,7 @@
 #include "host/pipeline/npy.hpp"
 #include "host/pipeline/records.hpp"
 #include "host/pipeline/stage_clock.hpp"
+#include "host/pipeline/technique.hpp"
 #include "host/render/png_file.hpp"
 #include "host/report/metrics_json.hpp"
 #include "host/report/numbers.hpp"
@@ -43,12 +44,18 @@ class Job {
   Result<void> build_surfaces();
   Result<void> voxelize();
   Result<void> plan();
+  void take_truth();
+  Result<void> write_stream();
   void run_golden();
   Result<std::unique_ptr<sim::RtlEngine>> make_rtl(const sim::RtlOptions& options) const;
   Result<void> run_rtl();
   Result<void> decode();
   void measure_errors();
   void finish_record();
+  render::Camera camera() const;  ///< grid coordinates
+  render::PictureOptions picture_options(std::string_view stage) const;
+  std::vector<Receiver> receivers() const;
+  metrics::SampleAnswers sample_answers() const;
   Pictures draw();
   Result<void> write(const report::OutputDirectory& output, const nlohmann::ordered_json& metrics,
                      const Pictures& pictures) const;
@@ -78,11 +85,14 @@ class Job {
   voxel::Grid grid_;
   voxel::VoxelSet voxels_;
   Vec3 light_;  ///< the way it travels, grid coordinates
-  plan::VpuPlan plan_;
+  std::unique_ptr<Technique> technique_;
+  std::optional<metrics::ExactReference> exact_;
+  metrics::ShadowTruth truth_;
+  std::optional<render::PictureScene> picture_scene_;
+  render::VisiblePoints visible_;  ///< where the camera looks, if the technique answers at points
   std::vector<golden::Word> stream_;
   EngineAnswers golden_;
-  std::vector<golden::VoxelState> states_;
-  std::optional<metrics::ExactReference> exact_;
+  Answers answers_;
 };
 
 Result<void> Job::build_surfaces() {
@@ -111,16 +121,51 @@ Result<void> Job::voxelize() {
 }
 
 Result<void> Job::plan() {
-  auto made = plan::plan_vpu(voxels_, light_, request_.settings.vpu);
+  auto made = make_technique(request_.settings, {surfaces_, two_sided_, voxels_, light_});
   if (!made) return fail(made.error().message);
-  plan_ = std::move(*made);
-  stream_ = plan::vpu_stream(plan_, voxels_, plan::voxel_items(voxels_, plan_.config), two_sided_);
+  technique_ = std::move(*made);
   return {};
 }
 
+void Job::take_truth() {
+  truth_ = stage(report::kExactStage, [&] {
+    exact_.emplace(surfaces_, two_sided_, metrics::DirectionalLight{light_});
+    metrics::TruthOptions options;
+    options.progress = progress_of(report::kExactStage);
+    options.cancelled = [this] { return aborted(); };
+    return metrics::shadow_truth(*exact_, surfaces_, voxels_, options);
+  });
+}
+
+/// Samples, samples along the border, points of the picture: in this order.
+std::vector<Receiver> Job::receivers() const {
+  std::vector<Receiver> all;
+  all.reserve(truth_.samples.size() + truth_.border_samples.size() + visible_.points.size());
+  for (const auto* samples : {&truth_.samples, &truth_.border_samples})
+    for (const metrics::SurfaceSample& s : *samples) all.push_back({s.x, s.y, s.z, s.facing});
+  all.insert(all.end(), visible_.points.begin(), visible_.points.end());
+  return all;
+}
+
+Result<void> Job::write_stream() {
+  std::vector<Receiver> points;
+  if (technique_->answers_points()) {
+    visible_ = stage("visible points", [&] {
+      return picture_scene_->visible_points(camera(), *exact_, picture_options("visible points"));
+    });
+    points = receivers();
+  }
+  return stage("stream", [&]() -> Result<void> {
+    auto stream = technique_->stream(points);
+    if (!stream) return fail(stream.error().message);
+    stream_ = std::move(*stream);
+    return {};
+  });
+}
+
 void Job::run_golden() {
-  const auto engine =
-      request_.make_golden ? request_.make_golden(plan_.config) : golden::make_golden_engine(plan_.config);
+  const auto engine = request_.make_golden ? request_.make_golden(technique_->config())
+                                           : golden::make_golden_engine(technique_->config());
   golden_ = stage(report::kGoldenStage,
                   [&] { return run_stream(*engine, stream_, progress_of(report::kGoldenStage)); });
 }
@@ -128,8 +173,8 @@ void Job::run_golden() {
 /// The first run of a configuration compiles its model; without a compiler or a cache that is the user's to
 /// cure.
 Result<std::unique_ptr<sim::RtlEngine>> Job::make_rtl(const sim::RtlOptions& options) const try {
-  return request_.make_rtl ? request_.make_rtl(plan_.config, options)
-                           : sim::make_rtl_engine(plan_.config, options);
+  return request_.make_rtl ? request_.make_rtl(technique_->config(), options)
+                           : sim::make_rtl_engine(technique_->config(), options);
 } catch (const std::runtime_error& error) {
   return fail(error.what());
 }
@@ -152,54 +197,62 @@ Result<void> Job::run_rtl() {
 }
 
 Result<void> Job::decode() {
-  const auto results = plan::voxel_results(golden_.results, voxels_.voxels.size());
-  if (!results) return fail(results.error().message);
-  states_.reserve(results->size());
-  for (const golden::VoxelResult& result : *results) states_.push_back(result.state);
+  auto answers = technique_->decode(golden_.results);
+  if (!answers) return fail(answers.error().message);
+  answers_ = std::move(*answers);
   return {};
 }
 
+metrics::SampleAnswers Job::sample_answers() const {
+  if (!technique_->answers_points()) return metrics::sample_answers(truth_, answers_.voxels);
+  const auto samples = answers_.points.begin();
+  const auto border = samples + static_cast<std::ptrdiff_t>(truth_.samples.size());
+  return {{samples, border}, {border, border + static_cast<std::ptrdiff_t>(truth_.border_samples.size())}};
+}
+
 void Job::measure_errors() {
-  const std::vector<golden::VoxelState> in_double =
-      stage(report::kDoubleStage, [&] { return plan::offset_states_double(plan_, voxels_, two_sided_); });
-  const metrics::ShadowTruth truth = stage(report::kExactStage, [&] {
-    exact_.emplace(surfaces_, two_sided_, metrics::DirectionalLight{light_});
-    metrics::TruthOptions options;
-    options.progress = progress_of(report::kExactStage);
-    options.cancelled = [this] { return aborted(); };
-    return metrics::shadow_truth(*exact_, surfaces_, voxels_, options);
-  });
+  const auto in_double = stage(report::kDoubleStage, [&] { return technique_->in_double(); });
   stage("errors", [&] {
-    record_.errors = errors_record(truth, voxels_, states_, in_double,
-                                   {ground_of(request_.scene), plan_.projection.pitch});
-    record_.exact = exact_record(*exact_, truth);
+    record_.errors = errors_record(truth_, voxels_, answers_.voxels, sample_answers(), in_double,
+                                   {ground_of(request_.scene), technique_->pitch()});
+    record_.exact = exact_record(*exact_, truth_);
   });
 }
 
-Pictures Job::draw() {
+render::Camera Job::camera() const {
   const Mat4 to_grid = scene::to_grid(grid_);
   const scene::Camera& from = request_.scene.camera;
   render::Camera camera{from.eye * to_grid, from.target * to_grid, {}, from.fov};
   to_grid.multDirMatrix(from.up, camera.up);
-  const auto objects = static_cast<std::uint32_t>(surfaces_.size());
-  const std::vector<render::Material> materials =
-      render::default_materials(objects, ground_of(request_.scene).value_or(objects));
+  return camera;
+}
 
+render::PictureOptions Job::picture_options(std::string_view stage) const {
   render::PictureOptions options;
   options.width = request_.settings.image_width;
   options.height = request_.settings.image_height;
   options.cancelled = [this] { return aborted(); };
+  options.progress = progress_of(stage);
+  return options;
+}
+
+Pictures Job::draw() {
+  const auto objects = static_cast<std::uint32_t>(surfaces_.size());
+  const std::vector<render::Material> materials =
+      render::default_materials(objects, ground_of(request_.scene).value_or(objects));
   const render::Light light{light_};
-  std::optional<render::PictureScene> scene;
   Pictures pictures;
-  options.progress = progress_of("picture");
   pictures.picture = stage("picture", [&] {
-    scene.emplace(surfaces_, voxels_);
-    return scene->render(camera, light, materials, states_, options);
+    const render::PictureOptions options = picture_options("picture");
+    if (!technique_->answers_points())
+      return picture_scene_->render(camera(), light, materials, answers_.voxels, options);
+    const std::span<const std::uint8_t> points = answers_.points;
+    return picture_scene_->render(camera(), light, materials, visible_, points.last(visible_.points.size()),
+                                  options);
   });
-  options.progress = progress_of("reference picture");
   pictures.reference = stage("reference picture", [&] {
-    return scene->render_reference(camera, light, materials, *exact_, options);
+    return picture_scene_->render_reference(camera(), light, materials, *exact_,
+                                            picture_options("reference picture"));
   });
   pictures.error = stage("error map", [&] {
     record_.picture = picture_record(pictures.picture, pictures.reference);
@@ -226,10 +279,11 @@ Result<void> Job::write(const report::OutputDirectory& output, const nlohmann::o
   for (const auto* file : {&image, &reference, &error}) {
     if (!*file) return fail(file->error().message);
   }
-  if (const auto problem = golden::save_stream(output.staging() / "stream.gnomon", plan_.config, stream_)) {
+  if (const auto problem =
+          golden::save_stream(output.staging() / "stream.gnomon", technique_->config(), stream_)) {
     return fail(*problem);
   }
-  if (auto done = output.write("voxels.npy", voxels_npy(voxels_, states_)); !done) return done;
+  if (auto done = output.write("voxels.npy", voxels_npy(voxels_, answers_.voxels)); !done) return done;
   if (auto done = output.write("metrics.json", metrics.dump(2) + "\n"); !done) return done;
   return output.write("report.html", report::report_page(metrics, {*image, *reference, *error}));
 }
@@ -239,11 +293,9 @@ void Job::finish_record() {
   record_.grid = voxels_.grid;
   record_.voxel_statistics = voxels_.statistics;
   record_.voxels = voxels_.voxels.size();
-  record_.hardware = plan_.config;
-  record_.registers = register_records(plan_);
+  record_.hardware = technique_->config();
+  technique_->describe(golden_, record_);
   record_.command_words = stream_.size();
-  record_.plane = {static_cast<std::uint32_t>(plan_.config.plane_side()), golden_.plane_entries_hit,
-                   plan_.projection.pitch};
   record_.events = golden_.counters.events;
   record_.stages = clock_.stages();
   record_.peak_memory_bytes = peak_memory_bytes();
@@ -257,6 +309,9 @@ Result<RunOutcome> Job::run() {
     return fail(done.error().message);
   if (auto done = stage("voxelize", [&] { return voxelize(); }); !done) return fail(done.error().message);
   if (auto done = stage("plan", [&] { return plan(); }); !done) return fail(done.error().message);
+  take_truth();
+  stage("picture scene", [&] { picture_scene_.emplace(surfaces_, voxels_); });
+  if (auto done = write_stream(); !done) return fail(done.error().message);
   run_golden();
   if (request_.engine == EngineKind::Rtl) {
     if (auto done = run_rtl(); !done) return fail(done.error().message);
@@ -275,11 +330,8 @@ Result<RunOutcome> Job::run() {
 
 /// What cannot be run, before anything is.
 Result<void> check(const RunRequest& request) {
-  if (request.settings.technique != "voxel-offset") {
-    return fail(fmt::format("technique={} is unknown, expected voxel-offset", request.settings.technique));
-  }
   if (request.scene.lights.size() != 1) {
-    return fail(fmt::format("{}: has {} lights, expected one: voxel-offset takes a single directional light",
+    return fail(fmt::format("{}: has {} lights, expected one: a run takes a single directional light",
                             request.scene.source.string(), request.scene.lights.size()));
   }
   if (request.scene.objects.empty())

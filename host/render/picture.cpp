@@ -24,6 +24,7 @@ using metrics::MaskValue;
 
 /// The surface under one sample.
 struct Seen {
+  std::size_t sample = 0;
   std::uint32_t object = 0, subpatch = 0, face = 0;
   double u = 0, v = 0;
   Vec3 normal{0, 0, 0};  ///< interpolated between limit normals
@@ -47,6 +48,11 @@ Vec3 vec(const std::array<float, 3>& a) {
 Box3 bounds_of(const voxel::VoxelSet& voxels) {
   const double res = voxels.grid.res;
   return {Vec3(0, 0, 0), Vec3(res, res, res)};
+}
+
+void check(const PictureOptions& options) {
+  if (options.width < 1 || options.height < 1 || options.supersample < 1 || options.supersample > 16)
+    throw std::invalid_argument("a picture needs a size, and 1 to 16 samples a pixel on each axis");
 }
 
 }  // namespace
@@ -110,6 +116,14 @@ struct PictureScene::Impl {
     return {dark ? MaskValue::Shadow : MaskValue::Lit, light_share(dark ? 4 : 0)};
   }
 
+  Receiver receiver(const Seen& seen, const metrics::ExactReference& reference) const {
+    const surface::LimitSurface& surface = surfaces[seen.object];
+    const Vec3 p = surface.position(seen.face, seen.u, seen.v);
+    const double facing = reference.facing(surface.normal(seen.face, seen.u, seen.v), seen.object);
+    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
+            static_cast<float>(facing)};
+  }
+
   template <class Shadow>
   Picture draw(const Camera& camera, const Light& light, std::span<const Material> materials,
                const PictureOptions& options, const Shadow& shadow) const;
@@ -125,8 +139,7 @@ template <class Shadow>
 Picture PictureScene::Impl::draw(const Camera& camera, const Light& light,
                                  std::span<const Material> materials, const PictureOptions& options,
                                  const Shadow& shadow) const {
-  if (options.width < 1 || options.height < 1 || options.supersample < 1 || options.supersample > 16)
-    throw std::invalid_argument("a picture needs a size, and 1 to 16 samples a pixel on each axis");
+  check(options);
   if (materials.size() < surfaces.size()) throw std::invalid_argument("every object needs a material");
   const CameraRays rays(camera, static_cast<double>(options.width) / options.height);
   const Vec3 to_light = -light.travel.normalized();
@@ -142,10 +155,12 @@ Picture PictureScene::Impl::draw(const Camera& camera, const Light& light,
     const double x = (static_cast<double>(sx) + 0.5) / static_cast<double>(width * super);
     const double y = (static_cast<double>(sy) + 0.5) / static_cast<double>(height * super);
     const Vec3 direction = rays.direction(x, y);
-    const std::optional<Seen> seen = look(rays.eye(), direction);
-    MaskValue& mask = picture.mask[sy * width * super + sx];
+    std::optional<Seen> seen = look(rays.eye(), direction);
+    const std::size_t number = sy * width * super + sx;
+    MaskValue& mask = picture.mask[number];
     mask = MaskValue::Background;
     if (!seen) return background(y);
+    seen->sample = number;
     const ShadowAnswer answer = shadow(*seen);
     mask = answer.mask;
     Vec3 normal = seen->normal.normalized();
@@ -189,6 +204,52 @@ Picture PictureScene::render(const Camera& camera, const Light& light, std::span
                                 std::to_string(impl_->voxels.voxels.size()) + " expected");
   return impl_->draw(camera, light, materials, options,
                      [&](const Seen& seen) { return impl_->from_states(seen, states); });
+}
+
+VisiblePoints PictureScene::visible_points(const Camera& camera, const metrics::ExactReference& reference,
+                                           const PictureOptions& options) const {
+  check(options);
+  const CameraRays rays(camera, static_cast<double>(options.width) / options.height);
+  const auto width = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.supersample);
+  const auto height =
+      static_cast<std::size_t>(options.height) * static_cast<std::size_t>(options.supersample);
+  std::vector<std::vector<Receiver>> rows(height);
+  VisiblePoints visible;
+  visible.of_sample.assign(width * height, kNoPoint);
+  metrics::Progress progress(height, options.progress, options.cancelled);
+  tbb::parallel_for(std::size_t{0}, height, [&](std::size_t sy) {
+    const double y = (static_cast<double>(sy) + 0.5) / static_cast<double>(height);
+    for (std::size_t sx = 0; sx < width; ++sx) {
+      const double x = (static_cast<double>(sx) + 0.5) / static_cast<double>(width);
+      const std::optional<Seen> seen = impl_->look(rays.eye(), rays.direction(x, y));
+      if (!seen) continue;
+      visible.of_sample[sy * width + sx] = static_cast<std::uint32_t>(rows[sy].size());
+      rows[sy].push_back(impl_->receiver(*seen, reference));
+    }
+    progress.step();
+  });
+  for (std::size_t sy = 0; sy < height; ++sy) {
+    const auto first = static_cast<std::uint32_t>(visible.points.size());
+    for (std::uint32_t& index : std::span(visible.of_sample).subspan(sy * width, width))
+      if (index != kNoPoint) index += first;
+    visible.points.insert(visible.points.end(), rows[sy].begin(), rows[sy].end());
+  }
+  return visible;
+}
+
+Picture PictureScene::render(const Camera& camera, const Light& light, std::span<const Material> materials,
+                             const VisiblePoints& points, std::span<const std::uint8_t> shadowed,
+                             const PictureOptions& options) const {
+  check(options);
+  const std::size_t samples = static_cast<std::size_t>(options.width) *
+                              static_cast<std::size_t>(options.height) *
+                              static_cast<std::size_t>(options.supersample * options.supersample);
+  if (shadowed.size() != points.points.size() || points.of_sample.size() != samples)
+    throw std::invalid_argument("answers, visible points and picture do not belong together");
+  return impl_->draw(camera, light, materials, options, [&](const Seen& seen) {
+    const bool dark = shadowed[points.of_sample[seen.sample]] != 0;
+    return ShadowAnswer{dark ? MaskValue::Shadow : MaskValue::Lit, light_share(dark ? 4 : 0)};
+  });
 }
 
 Picture PictureScene::render_reference(const Camera& camera, const Light& light,

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "host/base/receiver.hpp"
 #include "host/base/result.hpp"
 #include "host/metrics/image_error.hpp"
 #include "host/metrics/shadow_truth.hpp"
@@ -37,6 +38,14 @@ struct Picture {
   std::vector<metrics::MaskValue> mask;  ///< width*supersample x height*supersample, row 0 at the bottom
 };
 
+inline constexpr std::uint32_t kNoPoint = 0xFFFFFFFF;
+
+/// The surface points that a camera's samples see, row by row.
+struct VisiblePoints {
+  std::vector<Receiver> points;
+  std::vector<std::uint32_t> of_sample;  ///< by sample, as Picture::mask: index of its point, or kNoPoint
+};
+
 /// A scene ready to be looked at. Thread-safe.
 class PictureScene {
  public:
@@ -51,6 +60,13 @@ class PictureScene {
   /// corners in shadow; the mask of a sample is the state of the corner that is nearest in parameter space.
   Picture render(const Camera& camera, const Light& light, std::span<const Material> materials,
                  std::span<const golden::VoxelState> states, const PictureOptions& options) const;
+  /// Where the samples of that picture see a surface. `reference` knows which surfaces are two-sided.
+  VisiblePoints visible_points(const Camera& camera, const metrics::ExactReference& reference,
+                               const PictureOptions& options) const;
+  /// The same view with a shadow for every visible point: `shadowed` runs as points.points.
+  Picture render(const Camera& camera, const Light& light, std::span<const Material> materials,
+                 const VisiblePoints& points, std::span<const std::uint8_t> shadowed,
+                 const PictureOptions& options) const;
   /// The same view with exact shadows at every sample.
   Picture render_reference(const Camera& camera, const Light& light, std::span<const Material> materials,
                            const metrics::ExactReference& reference, const PictureOptions& options) const;

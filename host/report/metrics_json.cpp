@@ -205,15 +205,16 @@ Json picture_json(const PictureRecord& picture) {
 }
 
 Json errors_json(const ErrorsRecord& errors) {
-  const std::uint64_t all = errors.fixed.total.all.samples;
-  const std::uint64_t unambiguous = errors.fixed.total.unambiguous.samples;
-  return {{"fixed", error_json(errors.fixed)},
-          {"double", error_json(errors.in_double)},
-          {"quantisation",
-           {{"differing", errors.quantised_differing},
-            {"share", ratio(errors.quantised_differing, all)},
-            {"unambiguous_differing", errors.quantised_differing_unambiguous},
-            {"unambiguous_share", ratio(errors.quantised_differing_unambiguous, unambiguous)}}}};
+  Json json = {{"fixed", error_json(errors.fixed)}, {"double", nullptr}, {"quantisation", nullptr}};
+  if (!errors.in_double) return json;
+  const DoubleRecord& d = *errors.in_double;
+  json["double"] = error_json(d.error);
+  json["quantisation"] = {
+      {"differing", d.differing},
+      {"share", ratio(d.differing, errors.fixed.total.all.samples)},
+      {"unambiguous_differing", d.differing_unambiguous},
+      {"unambiguous_share", ratio(d.differing_unambiguous, errors.fixed.total.unambiguous.samples)}};
+  return json;
 }
 
 std::uint64_t total(const PassCycles& pass) {

@@ -94,11 +94,17 @@ struct PictureRecord {
   double rmse = 0;                     ///< of the pictures, 0..1
 };
 
-/// The three answers: as built, in double precision, and what the first lost against the second.
+/// The method in double precision, and what fixed point lost against it.
+struct DoubleRecord {
+  ErrorRecord error;
+  std::uint64_t differing = 0;              ///< voxels where fixed and double disagree
+  std::uint64_t differing_unambiguous = 0;  ///< of these, unambiguous ones
+};
+
+/// As built, and in double where the technique has such a form.
 struct ErrorsRecord {
-  ErrorRecord fixed, in_double;
-  std::uint64_t quantised_differing = 0;              ///< voxels where fixed and double disagree
-  std::uint64_t quantised_differing_unambiguous = 0;  ///< of these, unambiguous ones
+  ErrorRecord fixed;
+  std::optional<DoubleRecord> in_double;
 };
 
 /// Cycles of one pass by cause, both by their names in docs/command-stream.md.

@@ -176,6 +176,30 @@ TEST_F(BoxOnGround, WrongStatesAreSeen) {
   EXPECT_EQ(after.false_lit, before.false_lit);
 }
 
+TEST_F(BoxOnGround, ExactAnswersAtTheVisiblePointsGiveTheReference) {
+  const PictureOptions options = small(160, 120, 2);
+  const VisiblePoints visible = scene_.visible_points(camera_, reference_, options);
+  ASSERT_EQ(visible.of_sample.size(), 320u * 240);
+  const Picture reference = exact(options);
+  std::vector<std::uint8_t> shadowed(visible.points.size(), 2);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < visible.of_sample.size(); ++i) {
+    ASSERT_EQ(visible.of_sample[i] == kNoPoint, reference.mask[i] == MaskValue::Background);
+    if (visible.of_sample[i] == kNoPoint) continue;
+    ASSERT_EQ(shadowed.at(visible.of_sample[i]), 2) << "a point of its own for each sample";
+    shadowed[visible.of_sample[i]] = reference.mask[i] == MaskValue::Shadow ? 1 : 0;
+    ++seen;
+  }
+  EXPECT_EQ(seen, visible.points.size());
+  const Picture answered = scene_.render(camera_, light_, materials_, visible, shadowed, options);
+  EXPECT_EQ(answered.image.rgb, reference.image.rgb);
+  EXPECT_EQ(answered.mask, reference.mask);
+
+  for (const Receiver& p : visible.points) ASSERT_GE(p.z, 6.49f);
+  shadowed.pop_back();
+  EXPECT_THROW(scene_.render(camera_, light_, materials_, visible, shadowed, options), std::invalid_argument);
+}
+
 TEST_F(BoxOnGround, ThePictureDoesNotDependOnTheNumberOfThreads) {
   const Picture more = from_states(small(160, 120, 2));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);

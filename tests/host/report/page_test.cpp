@@ -54,6 +54,15 @@ TEST(Page, PicturesAreInline) {
   EXPECT_THAT(html, HasSubstr("\"data:image/png;base64,ZXJyb3IgYnl0ZXM=\""));
 }
 
+TEST(Page, ATechniqueWithoutAFormInDoubleHasNoSuchLine) {
+  RunRecord record = sample_record();
+  EXPECT_THAT(page_of(record), HasSubstr("Quantisation error:"));
+  record.errors.in_double.reset();
+  EXPECT_THAT(page_of(record), Not(HasSubstr("Quantisation error:")));
+  EXPECT_THAT(page_of(record), Not(HasSubstr("no rounding to speak of")));
+  EXPECT_TRUE(metrics_json(record)["errors"]["double"].is_null());
+}
+
 TEST(Page, EverythingGivenIsEscaped) {
   RunRecord record = failing_record();
   const std::string evil = "<script>alert('x')</script>&\"";

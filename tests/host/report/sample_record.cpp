@@ -66,7 +66,7 @@ RunRecord sample_record() {
               {"PROJECT", {{"BUSY", 217004}, {"HAZARD", 130}}},
               {"RESOLVE", {{"BUSY", 217008}, {"OUTPUT_BLOCKED", 1900}, {"MEMORY_WAIT", 25}}},
               {"READ", {}}};
-  r.errors = {error_record(940), error_record(925), 61, 4};
+  r.errors = {error_record(940), DoubleRecord{error_record(925), 61, 4}};
   r.exact = {181000, 0.0009, 0.002, 3400000};
   r.picture = {960, 720, {1800000, 5200, 4100}, 0.981, 0.0123};
   r.stages = {

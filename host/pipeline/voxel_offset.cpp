@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Technique voxel-offset: the projection unit alone, in offset mode (docs/vpu.md).
+#include "host/pipeline/voxel_offset.hpp"
+
+#include <utility>
+
+#include "host/pipeline/records.hpp"
+#include "host/plan/vpu_plan.hpp"
+
+namespace gnomon::pipeline {
+namespace {
+
+class VoxelOffset final : public Technique {
+ public:
+  VoxelOffset(const TechniqueInput& input, plan::VpuPlan plan) : input_(input), plan_(std::move(plan)) {}
+
+  const golden::HardwareConfig& config() const override { return plan_.config; }
+  bool answers_points() const override { return false; }
+  double pitch() const override { return plan_.projection.pitch; }
+
+  Result<std::vector<golden::Word>> stream(std::span<const Receiver>) override {
+    return plan::vpu_stream(plan_, input_.voxels, plan::voxel_items(input_.voxels, plan_.config),
+                            input_.two_sided);
+  }
+
+  Result<Answers> decode(std::span<const golden::Word> results) const override {
+    const auto voxels = plan::voxel_results(results, input_.voxels.voxels.size());
+    if (!voxels) return fail(voxels.error().message);
+    Answers answers;
+    answers.voxels.reserve(voxels->size());
+    for (const golden::VoxelResult& result : *voxels) answers.voxels.push_back(result.state);
+    return answers;
+  }
+
+  std::optional<std::vector<golden::VoxelState>> in_double() const override {
+    return plan::offset_states_double(plan_, input_.voxels, input_.two_sided);
+  }
+
+  void describe(const EngineAnswers& golden, report::RunRecord& record) const override {
+    record.registers = register_records(plan_);
+    record.plane = {static_cast<std::uint32_t>(plan_.config.plane_side()), golden.plane_entries_hit,
+                    plan_.projection.pitch};
+  }
+
+ private:
+  TechniqueInput input_;
+  plan::VpuPlan plan_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Technique>> make_voxel_offset(const RunSettings& settings,
+                                                     const TechniqueInput& input) {
+  auto plan = plan::plan_vpu(input.voxels, input.light, settings.vpu);
+  if (!plan) return fail(plan.error().message);
+  return std::make_unique<VoxelOffset>(input, std::move(*plan));
+}
+
+}  // namespace gnomon::pipeline
