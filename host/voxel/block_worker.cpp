@@ -24,12 +24,15 @@ void BlockWorker::run(const Block& block, BlockOutput& out) {
 }
 
 void BlockWorker::run_cell(Block block, BlockOutput& out) {
+  if (out.outside) return;
   extra_bits_ = 0;
   run_lattice(block);
+  if (leaves_grid(out)) return;
   while (grow(block)) {
     if (block.cells_u + block.cells_v > kLargestGrowth) return run_children(block, out);
     lattice_.for_each_visited([&](int, int) { ++out.statistics.evaluations; });
     run_lattice(block);
+    if (leaves_grid(out)) return;
   }
   collect(out);
   const auto coarse = std::exchange(coarse_, {});
@@ -38,6 +41,18 @@ void BlockWorker::run_cell(Block block, BlockOutput& out) {
               std::min(kSmallLattice, c.log_v - rules_.smallest_log)},
              out);
   }
+}
+
+// Beyond the grid all points look alike: nothing that follows would make sense.
+bool BlockWorker::leaves_grid(BlockOutput& out) const {
+  if (!lattice_.leaves_grid()) return false;
+  lattice_.for_each_visited([&](int i, int j) {
+    GridGuard guard(rules_.res);
+    guard.add(lattice_.voxel(i, j));
+    if (!guard.crossed() || out.outside) return;
+    out.outside = {block_.object, block_.face, parameter(lattice_.u_at(i)), parameter(lattice_.v_at(j))};
+  });
+  return true;
 }
 
 // N = 6: whether the block must be run again, on a finer lattice or until its leaves are flat.

@@ -26,12 +26,19 @@ enum class Wanted : std::uint8_t {
   Representatives  ///< in order, with them
 };
 
+/// A limit point outside the grid.
+struct Outside {
+  std::uint32_t object, face;
+  double u, v;
+};
+
 /// What came out of one or more blocks, in order. Voxels may be repeated.
 struct BlockOutput {
   std::vector<Voxel> voxels;
   std::vector<LeafRecord> leaves;  ///< if wanted
   std::vector<Voxel> extra;        ///< N = 6: voxels touched between the points
   std::vector<BorderSide> sides;   ///< N = 6: sides of leaves on a block's border
+  std::optional<Outside> outside;  ///< the first such point: then nothing else counts
   VoxelStatistics statistics;
   double area = 0;
 };
@@ -62,6 +69,7 @@ class BlockWorker {
   void run_cell(Block block, BlockOutput& out);
   void run_children(const Block& block, BlockOutput& out);
   void run_lattice(const Block& block);
+  bool leaves_grid(BlockOutput& out) const;
   bool grow(Block& block);
   bool flat() const;
 

@@ -104,7 +104,7 @@ Voxel moved_into(VoxelKey key, Voxel voxel) {
   const std::array from{voxel.x, voxel.y, voxel.z};
   const std::array to{key_x(key), key_y(key), key_z(key)};
   for (std::size_t k = 0; k < 3; ++k) {
-    const float moved = voxel.point[k] + static_cast<float>(from[k]) - static_cast<float>(to[k]);
+    const float moved = voxel.point[k] + static_cast<float>(int{from[k]} - static_cast<int>(to[k]));
     voxel.point[k] = std::clamp(moved, 0.0F, 1.0F - 0x1p-16F);
   }
   voxel.x = static_cast<std::uint16_t>(to[0]);

@@ -25,6 +25,7 @@ void Lattice::start(const Block& block, int extra_bits) {
   log_v_ = block.cell.log_v - block.cells_v;
   remembered_ = 0;
   extra_bits_ = extra_bits;
+  guard_ = GridGuard(res_ << extra_bits);
 
   const auto rows = static_cast<std::size_t>(height_) + 1;
   const std::size_t columns = static_cast<std::size_t>(width_) + 1;

@@ -37,6 +37,8 @@ class Lattice {
   int height() const { return height_; }
   std::uint32_t u_at(int i) const { return block_.cell.u0 + (static_cast<std::uint32_t>(i) << log_u_); }
   std::uint32_t v_at(int j) const { return block_.cell.v0 + (static_cast<std::uint32_t>(j) << log_v_); }
+  /// Whether any point asked for lies outside the grid.
+  bool leaves_grid() const { return guard_.crossed(); }
   /// How many of the points asked for had been evaluated before, for other blocks or faces.
   std::uint64_t remembered() const { return remembered_; }
 
@@ -113,7 +115,8 @@ class Lattice {
   int last_own_u_ = 0, last_own_v_ = 0;  // up to where the block's polynomial answers
   double u_origin_ = 0, u_step_ = 0, v_origin_ = 0, v_step_ = 0;  // to the polynomial's own parameters
   std::array<BorderCache::Stretch, 4>
-      sides_;                     // v low, u high, v high, u low: where they are sides of the face
+      sides_;  // v low, u high, v high, u low: where they are sides of the face
+  GridGuard guard_{0};
   std::uint64_t remembered_ = 0;  // points that had been evaluated before
   PointMemo memo_;                // of points on borders of blocks within the face
 
@@ -149,8 +152,12 @@ inline VoxelKey Lattice::at(int i, int j) {
   const std::uint64_t bit = std::uint64_t{1} << (i & 63);
   if ((word & bit) != 0) return l.keys[i];
   word |= bit;
-  if (!own(i, j)) return foreign(i, j);
-  return keep<kExact>(i, j, detail::snap_lanes(surface::cubic(l.ready ? l.cubic : row(j), u_own(i)), res_));
+  const VoxelKey key =
+      own(i, j)
+          ? keep<kExact>(i, j, detail::snap_lanes(surface::cubic(l.ready ? l.cubic : row(j), u_own(i)), res_))
+          : foreign(i, j);
+  guard_.add(key);
+  return key;
 }
 
 template <class Visit>

@@ -16,11 +16,12 @@ namespace gnomon::voxel {
 /// voxel.
 inline constexpr int kFractionBits = 16;
 
-/// A coordinate in units of 2^-16 voxel, to nearest, clamped to the grid 0..res.
+/// A coordinate in units of 2^-16 voxel, to nearest. All that is not within [0, res), NaN included, comes out
+/// as `res` voxels or more: on the low side it wraps around.
 inline std::uint32_t snap(double x, double res) {
   // Adding 1.5 * 2^(52-16) leaves the rounded multiple of 2^-16 in the low bits of the mantissa.
   constexpr double kMagic = 0x1.8p36;
-  const double clamped = std::min(std::max(x, 0.0), res - 0x1p-16);
+  const double clamped = std::min(std::max(-1.0, x), res);
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(clamped + kMagic));
 }
 
@@ -31,6 +32,9 @@ inline constexpr int kFieldBits = 21;
 inline constexpr VoxelKey pack(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return VoxelKey{x} | VoxelKey{y} << kFieldBits | VoxelKey{z} << (2 * kFieldBits);
 }
+inline constexpr VoxelKey kOnes = pack(1, 1, 1);
+inline constexpr VoxelKey kGuard = kOnes << (kFieldBits - 1);  // above all coordinates, in every field
+
 inline std::uint32_t key_x(VoxelKey k) {
   return static_cast<std::uint32_t>(k & 0x1fffff);
 }
@@ -54,12 +58,23 @@ inline Voxel bare_voxel(VoxelKey k) {
   return v;
 }
 
+/// Learns of many voxels whether any lies outside the grid 0..res.
+class GridGuard {
+ public:
+  explicit GridGuard(std::uint32_t res) : lift_(kGuard - pack(res, res, res)) {}
+  void add(VoxelKey key) { seen_ |= key + lift_; }
+  bool crossed() const { return (seen_ & kGuard) != 0; }
+
+ private:
+  VoxelKey lift_;
+  VoxelKey seen_ = 0;
+};
+
 /// Non-zero where `a` and `b` are not neighbours; several results may be or-ed before they are tested.
 template <Adjacency kAdjacency>
 inline std::uint64_t gap(VoxelKey a, VoxelKey b) {
-  constexpr std::uint64_t kOnes = pack(1, 1, 1);
-  constexpr std::uint64_t kGuard = kOnes << (kFieldBits - 1);  // keeps borrows inside their field
-  // Each field becomes difference + 1, which is 0, 1 or 2 between neighbours.
+  // The guard keeps borrows inside their field. Each field becomes difference + 1, which is 0, 1 or 2 between
+  // neighbours.
   const std::uint64_t f = ((a | kGuard) - b + kOnes) ^ kGuard;
   std::uint64_t bad = (f | (f + kOnes)) & ~(kOnes | kOnes << 1);
   if constexpr (kAdjacency == Adjacency::N18) {

@@ -27,8 +27,8 @@ struct Voxel {
   std::uint16_t object;  ///< the representative's object
   std::uint32_t face;    ///< the representative's parametric face within that object
   float u, v;            ///< the representative's parameters (dyadic, exact in float up to 24 levels)
-  float point[3];        ///< the representative relative to the voxel's low corner, 0..1 on each axis
-  float normal[3];       ///< unit normal of the limit surface at the representative
+  float point[3];  ///< the representative relative to the voxel's low corner, a multiple of 2^-16, 0 <= t < 1
+  float normal[3];  ///< unit normal of the limit surface at the representative
 };
 
 /// A final subpatch of the recursion: a rectangle of one face's parameter space whose corners are adjacent

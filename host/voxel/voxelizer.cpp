@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <memory>
 
@@ -37,16 +38,6 @@ std::optional<Error> check(std::span<const surface::LimitSurface> surfaces, cons
     return Error{
         fmt::format("{} objects are too many, at most {} can be voxelized", surfaces.size(), kMostObjects)};
   }
-  const double res = grid.res;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Box3 b = surfaces[i].bounds();
-    for (int k = 0; k < 3; ++k) {
-      if (!(b.min[k] >= 0 && b.max[k] <= res)) {
-        return Error{fmt::format("object {} spans {}..{} on axis {}, outside the grid 0..{}", i, b.min[k],
-                                 b.max[k], "xyz"[k], grid.res)};
-      }
-    }
-  }
   return std::nullopt;
 }
 
@@ -57,7 +48,8 @@ void add(VoxelStatistics& sum, const VoxelStatistics& s) {
   sum.zero_normals += s.zero_normals;
 }
 
-// One run over all blocks. `merge` is called with every batch, one at a time and in order.
+// One run over all blocks. `merge` is called with every batch, one at a time and in order. Fails at the first
+// point outside the grid.
 class Run {
  public:
   Run(std::span<const surface::LimitSurface> surfaces, const Grid& grid, const VoxelizerOptions& options)
@@ -69,8 +61,10 @@ class Run {
   }
 
   template <class Merge>
-  VoxelStatistics operator()(Wanted wanted, bool leaves, BrickSet* members, Merge merge) {
+  Result<VoxelStatistics> operator()(Wanted wanted, bool leaves, BrickSet* members, Merge merge) {
     VoxelStatistics statistics;
+    std::optional<Outside> outside;
+    std::atomic<bool> stop = false;
     tbb::enumerable_thread_specific<BrickSet> sets;
     const auto threads =
         options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads);
@@ -85,7 +79,7 @@ class Run {
                          members == nullptr ? nullptr : &sets.local());
     });
     const auto produce = [&](tbb::flow_control& control) -> std::shared_ptr<Batch> {
-      auto batch = next_batch();
+      auto batch = stop ? nullptr : next_batch();
       if (!batch) control.stop();
       return batch;
     };
@@ -96,6 +90,9 @@ class Run {
       return batch;
     };
     const auto collect = [&](const std::shared_ptr<Batch>& batch) {
+      if (!outside) outside = batch->output.outside;
+      stop = outside.has_value();
+      if (stop) return;
       merge(batch->output);
       add(statistics, batch->output.statistics);
       report(batch->output.area);
@@ -107,6 +104,7 @@ class Run {
                                  tbb::make_filter<Passed, Passed>(tbb::filter_mode::parallel, work) &
                                  tbb::make_filter<Passed, void>(tbb::filter_mode::serial_in_order, collect));
     });
+    if (outside) return tl::make_unexpected(error(*outside));
     for (const BrickSet& set : sets) members->merge(set);
     statistics.evaluations += source_.evaluations();
     return statistics;
@@ -122,6 +120,12 @@ class Run {
       points += block->points();
     }
     return batch->blocks.empty() ? nullptr : batch;
+  }
+
+  Error error(const Outside& o) const {
+    const Vec3 p = surfaces_[o.object].position(o.face, o.u, o.v);
+    return {fmt::format("object {} has a limit point at ({:.6g}, {:.6g}, {:.6g}), outside the grid 0..{}",
+                        o.object, p.x, p.y, p.z, rules_.res)};
   }
 
   void report(double area) {
@@ -175,7 +179,7 @@ Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const
   };
   Run run(surfaces, grid, options);
   const Wanted wanted = options.representatives ? Wanted::Representatives : Wanted::Voxels;
-  set.statistics = run(wanted, options.subpatches, nullptr, [&](const BlockOutput& out) {
+  const auto statistics = run(wanted, options.subpatches, nullptr, [&](const BlockOutput& out) {
     for (const Voxel& v : out.voxels) add_voxel(v);
     for (const LeafRecord& l : out.leaves) {
       set.subpatches.push_back({l.object,
@@ -189,7 +193,9 @@ Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const
     }
     extras.gather(out);
   });
+  if (!statistics) return tl::make_unexpected(statistics.error());
   extras.release(grid.res, add_voxel);
+  set.statistics = *statistics;
   set.statistics.seconds = seconds_since(start);
   return set;
 }
@@ -203,8 +209,10 @@ Result<CoordinateSet> voxelize_coordinates(std::span<const surface::LimitSurface
   BrickSet members;
   Extras extras;
   Run run(surfaces, grid, options);
-  set.statistics =
+  const auto statistics =
       run(Wanted::Coordinates, false, &members, [&](const BlockOutput& out) { extras.gather(out); });
+  if (!statistics) return tl::make_unexpected(statistics.error());
+  set.statistics = *statistics;
   extras.release(grid.res, [&](const Voxel& v) { members.insert(key_of(v)); });
   set.voxels.reserve(members.size());
   members.for_each([&](VoxelKey k) {

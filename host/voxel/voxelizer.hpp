@@ -21,7 +21,8 @@ struct VoxelizerOptions {
 };
 
 /// `surfaces[i]` is object i, already in grid coordinates (one unit is one voxel, voxel (0,0,0) spans
-/// [0,1]^3). The result is the same for every thread count and every order of faces.
+/// [0,1]^3). A limit point outside the grid [0, res)^3 is an error. The result is the same for every thread
+/// count and every order of faces.
 Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const Grid& grid,
                           const VoxelizerOptions& options = {});
 

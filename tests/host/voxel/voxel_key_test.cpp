@@ -49,9 +49,35 @@ TEST(VoxelKey, SnapsToTheNearestFraction) {
   EXPECT_EQ(snap(std::nextafter(3.0, 0), 8), 3U << 16);  // one last bit below a wall is on it
   EXPECT_EQ(snap(3.0 - 0x1p-16, 8), (3U << 16) - 1);
   EXPECT_EQ(snap(-1e-9, 8), 0U);
-  EXPECT_EQ(snap(8.0, 8), (8U << 16) - 1);
+  EXPECT_EQ(snap(8.0 - 0x1p-16, 8), (8U << 16) - 1);
   EXPECT_EQ(snap(65534.999, 65535), static_cast<std::uint32_t>(std::lround(65534.999 * 65536)));
-  EXPECT_EQ(snap(std::numeric_limits<double>::quiet_NaN(), 8) >> 16 < 8, true);
+}
+
+TEST(VoxelKey, WhatIsOutsideTheGridIsNeverMistakenForInside) {
+  for (const std::uint32_t res : {1U, 8U, 255U, 65535U}) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double x : {-0x1p-16, -1.0, -1e6, -1e300, -infinity, res + 0.0, res - 0x1p-20, res + 1.0,
+                           1e300, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+      EXPECT_GE(snap(x, res) >> kFractionBits, res) << x;
+    }
+    EXPECT_EQ(snap(res - 0x1p-16, res) >> kFractionBits, res - 1);
+  }
+}
+
+TEST(VoxelKey, GuardSeesOneCoordinateOutside) {
+  EXPECT_TRUE(holds([] {
+    const auto res = *rc::gen::inRange<std::uint32_t>(1, 65536);
+    const auto inside = rc::gen::inRange<std::uint32_t>(0, res);
+    GridGuard guard(res);
+    for (int n = 0; n < 20; ++n) guard.add(pack(*inside, *inside, *inside));
+    guard.add(pack(res - 1, res - 1, res - 1));
+    RC_ASSERT(!guard.crossed());
+    std::array<std::uint32_t, 3> p{*inside, *inside, *inside};
+    p[*rc::gen::inRange<std::size_t>(0, 3)] = *rc::gen::inRange<std::uint32_t>(res, 65536);
+    guard.add(pack(p[0], p[1], p[2]));
+    guard.add(pack(*inside, *inside, *inside));
+    RC_ASSERT(guard.crossed());
+  }));
 }
 
 TEST(BrickSet, IsASet) {

@@ -13,6 +13,7 @@
 #include "criteria.hpp"
 #include "host/voxel/voxel_key.hpp"
 #include "reference.hpp"
+#include "voxelize_cages.hpp"
 
 namespace gnomon::test {
 
@@ -25,35 +26,6 @@ namespace {
 using surface::LimitSurface;
 using voxel::Adjacency;
 using voxel::VoxelSet;
-
-std::vector<LimitSurface> surfaces_of(const std::vector<scene::ControlMesh>& meshes, double res) {
-  std::vector<LimitSurface> out;
-  for (const auto& m : meshes) {
-    auto s = LimitSurface::build(m, fit_to_grid(meshes, res));
-    if (!s) throw std::runtime_error(s.error().message);
-    out.push_back(std::move(*s));
-  }
-  return out;
-}
-
-voxel::Grid grid_of(std::uint32_t res, Adjacency adjacency) {
-  voxel::Grid g;
-  g.res = res;
-  g.adjacency = adjacency;
-  return g;
-}
-
-VoxelSet run(const std::vector<LimitSurface>& s, std::uint32_t res, Adjacency a,
-             const voxel::VoxelizerOptions& o = {}) {
-  auto set = voxel::voxelize(s, grid_of(res, a), o);
-  if (!set) throw std::runtime_error(set.error().message);
-  return std::move(*set);
-}
-
-VoxelSet voxels_of(const scene::ControlMesh& mesh, std::uint32_t res, Adjacency a,
-                   const voxel::VoxelizerOptions& o = {}) {
-  return run(surfaces_of({mesh}, res), res, a, o);
-}
 
 std::set<Coordinates> coordinates(const VoxelSet& set) {
   std::set<Coordinates> out;
@@ -135,6 +107,10 @@ TEST_P(EveryCage, RepresentativesAreTheirVoxelsLimitPoints) {
     const Vec3 q(v.x + static_cast<double>(v.point[0]), v.y + static_cast<double>(v.point[1]),
                  v.z + static_cast<double>(v.point[2]));
     ASSERT_LT((p - q).length(), 2e-5);
+    for (const float t : v.point) {
+      ASSERT_TRUE(t >= 0 && t < 1);
+      ASSERT_EQ(t * 65536, std::floor(t * 65536));
+    }
     const Vec3 n(v.normal[0], v.normal[1], v.normal[2]);
     ASSERT_NEAR(n.length(), 1, 1e-6);
     ASSERT_GT(n.dot(s[v.object].normal(v.face, v.u, v.v)), 0.999);
@@ -175,65 +151,6 @@ TEST_P(EveryCage, SubpatchesAreAdjacentAndTileTheFaces) {
     }
   }
   EXPECT_NEAR(area, s[0].face_count(), 1e-6);
-}
-
-// The checkers themselves.
-TEST(Criteria, AHoleLeaks) {
-  for (const Adjacency a : {Adjacency::N26, Adjacency::N18, Adjacency::N6}) {
-    VoxelSet set = voxels_of(spindle(5), 64, a);
-    EXPECT_EQ(separation(set).leaks, 0U);
-    // Take away a voxel that has both sides next to it, as thinning finds them all.
-    std::uint64_t leaking = 0;
-    for (std::size_t i = 0; i < set.voxels.size() && leaking == 0; i += 97) {
-      const auto taken = set.voxels[i];
-      set.voxels.erase(set.voxels.begin() + static_cast<std::ptrdiff_t>(i));
-      leaking = separation(set).leaks;
-      set.voxels.insert(set.voxels.begin() + static_cast<std::ptrdiff_t>(i), taken);
-    }
-    EXPECT_GT(leaking, 1000U);
-  }
-}
-
-TEST(Criteria, WhatLiesBeforeTheNormalsIsABay) {
-  VoxelSet set = voxels_of(spindle(5), 64, Adjacency::N26);
-  const Separation out = separation(set);
-  for (auto& v : set.voxels) {
-    for (float& n : v.normal) n = -n;
-  }
-  const Separation in = separation(set);
-  EXPECT_GT(out.inside, 1000U);
-  EXPECT_EQ(out.bays, 0U);
-  EXPECT_EQ(in.inside, 0U);
-  EXPECT_EQ(in.bays, out.inside);
-}
-
-TEST(Criteria, FarVoxelsAndGapsAreSeen) {
-  const auto s = surfaces_of({spindle(5)}, 40);
-  VoxelSet set = run(s, 40, Adjacency::N26);
-  set.voxels.push_back(set.voxels.front());
-  EXPECT_EQ(duplicates(set), 1U);
-  set.voxels.back().x = 20;
-  set.voxels.back().y = 20;
-  set.voxels.back().z = 20;
-  EXPECT_GT(coverage(s, set, 0.3).farthest_centre, 2);
-  set.voxels.resize(set.voxels.size() / 2);
-  EXPECT_GT(coverage(s, set, 0.3).uncovered, 100U);
-}
-
-TEST(Criteria, ThinningFindsWhatIsTooMuch) {
-  VoxelSet set = voxels_of(spindle(4), 64, Adjacency::N26);
-  const double lean = surplus(set);
-  EXPECT_LT(lean, 0.2);
-  const auto thick = DenseGrid(set).dilated();
-  set.voxels.clear();
-  for (std::uint16_t z = 0; z < 64; ++z) {
-    for (std::uint16_t y = 0; y < 64; ++y) {
-      for (std::uint16_t x = 0; x < 64; ++x) {
-        if (thick.at(x, y, z) != 0) set.voxels.push_back(voxel::bare_voxel(voxel::pack(x, y, z)));
-      }
-    }
-  }
-  EXPECT_GT(surplus(set), 1);
 }
 
 TEST(Voxelizer, EvaluatesAboutOncePerVoxel) {
@@ -297,16 +214,6 @@ TEST(Voxelizer, ReportsProgressUpToOne) {
   voxels_of(torus(8, 6), 200, Adjacency::N26, o);
   EXPECT_TRUE(monotone);
   EXPECT_NEAR(last, 1, 1e-9);
-}
-
-TEST(Voxelizer, RefusesWhatDoesNotFit) {
-  auto s = surfaces_of({spindle(3)}, 64);
-  const auto outside = voxel::voxelize(s, grid_of(32, Adjacency::N26));
-  ASSERT_FALSE(outside);
-  EXPECT_NE(outside.error().message.find("outside the grid 0..32"), std::string::npos);
-  EXPECT_FALSE(voxel::voxelize(s, grid_of(0, Adjacency::N26)));
-  EXPECT_FALSE(voxel::voxelize_coordinates(s, grid_of(70000, Adjacency::N26)));
-  EXPECT_TRUE(voxel::voxelize({}, grid_of(32, Adjacency::N26))->voxels.empty());
 }
 
 }  // namespace
