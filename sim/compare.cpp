@@ -95,8 +95,10 @@ class Comparison {
       difference.command_index = origin->command.index;
       difference.command = origin->command.header;
       difference.item_index = origin->result;
-      const bool answers_items =
-          difference.command.op == static_cast<std::uint8_t>(golden::Op::ResolveVoxels);
+      difference.raw_word = origin->raw_word;
+      const std::uint8_t op = difference.command.op;
+      const bool answers_items = op == static_cast<std::uint8_t>(golden::Op::ResolveVoxels) ||
+                                 op == static_cast<std::uint8_t>(golden::slb::SlbOp::Query);
       if (answers_items && origin->result < origin->command.items.size()) {
         difference.item = origin->command.items[origin->result];
       }

@@ -24,9 +24,9 @@ struct Difference {
   std::optional<std::uint64_t> cycle;  ///< at which the word left the hardware
   std::uint32_t command_index = 0;
   golden::Header command;
-  std::uint32_t item_index =
-      0;                      ///< number of the result among the command's: of the voxel, of the entry read
-  std::optional<Word> item;   ///< the voxel item, for commands that answer each item
+  std::uint32_t item_index = 0;  ///< number of the result among the command's: of the item, of the entry read
+  std::optional<std::uint32_t> raw_word;  ///< the word is this raw word of an entry (golden::ResultOrigin)
+  std::optional<Word> item;               ///< for commands that answer each item
   bool after_stream = false;  ///< the stream accounts for no such word; the command fields mean nothing then
 };
 

@@ -10,11 +10,26 @@ namespace gnomon::sim {
 
 namespace {
 
-std::string describe_word(const std::optional<Word>& word) {
-  return word ? fmt::format("{:016x}  {}", *word, golden::describe_result(*word)) : "no such word";
+/// Every field of a result word at the place of the difference.
+std::string fields(Word word, const Difference& difference, const golden::HardwareConfig& config) {
+  if (!difference.raw_word) return golden::describe_result(word);
+  return golden::slb::describe_entry_word(word, static_cast<int>(*difference.raw_word), config.slb_config());
 }
 
-std::string describe_item(Word word, const golden::HardwareConfig& config) {
+std::string describe_word(const std::optional<Word>& word, const Difference& difference,
+                          const golden::HardwareConfig& config) {
+  return word ? fmt::format("{:016x}  {}", *word, fields(*word, difference, config)) : "no such word";
+}
+
+std::string describe_query(Word word, const golden::HardwareConfig& config) {
+  const golden::slb::QueryPoint point = golden::slb::decode_query(word, config.slb_config());
+  return fmt::format("{:016x}  x {} y {} depth {}", word, point.x, point.y, point.depth);
+}
+
+std::string describe_item(Word word, const Difference& difference, const golden::HardwareConfig& config) {
+  if (difference.command.op == static_cast<std::uint8_t>(golden::slb::SlbOp::Query)) {
+    return describe_query(word, config);
+  }
   const golden::VoxelItem item = golden::decode_voxel(word, config);
   return fmt::format("{:016x}  position ({}, {}, {}) normal ({}, {}, {})", word, item.position[0],
                      item.position[1], item.position[2], item.normal[0], item.normal[1], item.normal[2]);
@@ -28,37 +43,49 @@ std::string describe_difference(const Difference& difference, const golden::Hard
     text += fmt::format("  command   {}  {}\n  result    {} of the command\n", difference.command_index,
                         golden::describe_header(golden::encode(difference.command)), difference.item_index);
   }
-  if (difference.item) text += fmt::format("  item      {}\n", describe_item(*difference.item, config));
+  if (difference.item)
+    text += fmt::format("  item      {}\n", describe_item(*difference.item, difference, config));
   if (difference.cycle) text += fmt::format("  cycle     {}\n", *difference.cycle);
-  text += fmt::format("  expected  {}\n", describe_word(difference.expected));
-  text += fmt::format("  rtl       {}\n", describe_word(difference.actual));
+  text += fmt::format("  expected  {}\n", describe_word(difference.expected, difference, config));
+  text += fmt::format("  rtl       {}\n", describe_word(difference.actual, difference, config));
   return text;
 }
 
-nlohmann::json word_json(const std::optional<Word>& word) {
+nlohmann::json word_json(const std::optional<Word>& word, const Difference& difference,
+                         const golden::HardwareConfig& config) {
   if (!word) return nullptr;
-  return {{"word", fmt::format("{:016x}", *word)}, {"fields", golden::describe_result(*word)}};
+  return {{"word", fmt::format("{:016x}", *word)}, {"fields", fields(*word, difference, config)}};
 }
 
 nlohmann::json difference_json(const Difference& difference, const golden::HardwareConfig& config) {
   nlohmann::json json{{"result_index", difference.result},
-                      {"expected", word_json(difference.expected)},
-                      {"rtl", word_json(difference.actual)}};
+                      {"expected", word_json(difference.expected, difference, config)},
+                      {"rtl", word_json(difference.actual, difference, config)}};
   if (difference.cycle) json["cycle"] = *difference.cycle;
   if (!difference.after_stream) {
     json["command_index"] = difference.command_index;
     json["command"] = golden::describe_header(golden::encode(difference.command));
     json["item_index"] = difference.item_index;
   }
-  if (difference.item) json["item"] = describe_item(*difference.item, config);
+  if (difference.raw_word) json["raw_word"] = *difference.raw_word;
+  if (difference.item) json["item"] = describe_item(*difference.item, difference, config);
   return json;
 }
 
 nlohmann::json config_json(const golden::HardwareConfig& config) {
-  return {{"voxel_bits", config.voxel_bits},      {"voxel_frac_bits", config.voxel_frac_bits},
-          {"normal_bits", config.normal_bits},    {"matrix_frac_bits", config.matrix_frac_bits},
-          {"depth_bits", config.depth_bits},      {"plane_log2", config.plane_log2},
-          {"en_vpu_offset", config.en_vpu_offset}};
+  nlohmann::json json{{"voxel_bits", config.voxel_bits},       {"voxel_frac_bits", config.voxel_frac_bits},
+                      {"normal_bits", config.normal_bits},     {"matrix_frac_bits", config.matrix_frac_bits},
+                      {"depth_bits", config.depth_bits},       {"plane_log2", config.plane_log2},
+                      {"en_vpu_offset", config.en_vpu_offset}, {"en_slb", config.en_slb}};
+  if (!config.en_slb) return json;
+  json.update({{"slb_plane_log2", config.slb_plane_log2},
+               {"frac_bits", config.frac_bits},
+               {"slope_bits", config.slope_bits},
+               {"frags_per_pixel", config.frags_per_pixel},
+               {"subpixel_bits", config.subpixel_bits},
+               {"query_bits", config.query_bits},
+               {"slb_rounding", static_cast<int>(config.slb_rounding)}});
+  return json;
 }
 
 }  // namespace

@@ -11,15 +11,29 @@ namespace gnomon::sim {
 
 namespace {
 
-/// Every parameter of gnomon_top with its value.
-std::vector<std::pair<const char*, int>> parameters(const golden::HardwareConfig& config) {
-  return {{"VOXEL_BITS", config.voxel_bits},
-          {"VOXEL_FRAC_BITS", config.voxel_frac_bits},
-          {"NORMAL_BITS", config.normal_bits},
-          {"MATRIX_FRAC_BITS", config.matrix_frac_bits},
-          {"DEPTH_BITS", config.depth_bits},
-          {"PLANE_LOG2", config.plane_log2},
-          {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0}};
+using Parameters = std::vector<std::pair<const char*, int>>;
+
+/// Every parameter of gnomon_top with its value. Those of a unit left out are left out too, so that hardware
+/// that is the same has the same arguments.
+Parameters parameters(const golden::HardwareConfig& config) {
+  Parameters list{{"VOXEL_BITS", config.voxel_bits},
+                  {"VOXEL_FRAC_BITS", config.voxel_frac_bits},
+                  {"NORMAL_BITS", config.normal_bits},
+                  {"MATRIX_FRAC_BITS", config.matrix_frac_bits},
+                  {"DEPTH_BITS", config.depth_bits},
+                  {"PLANE_LOG2", config.plane_log2},
+                  {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0}};
+  if (!config.en_slb) return list;
+  const Parameters slb{{"EN_SLB", 1},
+                       {"SLB_PLANE_LOG2", config.slb_plane_log2},
+                       {"FRAC_BITS", config.frac_bits},
+                       {"SLOPE_BITS", config.slope_bits},
+                       {"FRAGS_PER_PIXEL", config.frags_per_pixel},
+                       {"SUBPIXEL_BITS", config.subpixel_bits},
+                       {"QUERY_BITS", config.query_bits},
+                       {"SLB_ROUNDING", static_cast<int>(config.slb_rounding)}};
+  list.insert(list.end(), slb.begin(), slb.end());
+  return list;
 }
 
 }  // namespace
@@ -36,6 +50,8 @@ std::string describe(const ModelSpec& spec) {
   std::string text = describe(spec.config);
   if (spec.memory_latency != 1) text += fmt::format(" MEM_LATENCY={}", spec.memory_latency);
   if (spec.memory_stall_seed != 0) text += fmt::format(" MEM_STALL_SEED={}", spec.memory_stall_seed);
+  if (spec.config.en_slb && spec.slb_dividers != 2)
+    text += fmt::format(" SLB_DIVIDERS={}", spec.slb_dividers);
   for (const std::string& define : spec.defines) text += " " + define;
   if (spec.trace) text += " (with waveforms)";
   if (spec.coverage) text += " (with coverage)";
@@ -56,6 +72,7 @@ std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
   }
   arguments.push_back(fmt::format("-GMEM_LATENCY={}", spec.memory_latency));
   arguments.push_back(fmt::format("-GMEM_STALL_SEED={}", spec.memory_stall_seed));
+  if (spec.config.en_slb) arguments.push_back(fmt::format("-GSLB_DIVIDERS={}", spec.slb_dividers));
   for (const std::string& define : spec.defines) arguments.push_back("+define+" + define);
   if (spec.trace) arguments.insert(arguments.end(), {"--trace-fst", "--trace-structs"});
   if (spec.coverage) {  // Verilator offers only one of coverage and saving

@@ -19,12 +19,14 @@ struct ModelSpec {
   bool plain_bit_operations = false;
   int memory_latency = 1;     ///< MEM_LATENCY: cycles of a read of the plane's memory
   int memory_stall_seed = 0;  ///< MEM_STALL_SEED, 0..65535: other than 0, the plane's ports stall at random
+  int slb_dividers = 2;       ///< SLB_DIVIDERS, 1..3: quotients a cycle; only with EN_SLB
   std::vector<std::string> defines{};  ///< preprocessor names, e.g. a GNOMON_MUTATE_* fault
 
   bool operator==(const ModelSpec&) const = default;
 };
 
-/// "VOXEL_BITS=8 VOXEL_FRAC_BITS=2 ...", every parameter.
+/// "VOXEL_BITS=8 VOXEL_FRAC_BITS=2 ...", every parameter; those of the silhouette-line buffer only where it
+/// is built.
 std::string describe(const golden::HardwareConfig& config);
 /// The same, and whatever else is special about the model.
 std::string describe(const ModelSpec& spec);

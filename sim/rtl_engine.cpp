@@ -25,6 +25,7 @@ ModelSpec spec_of(const golden::HardwareConfig& config, const RtlOptions& option
           .plain_bit_operations = options.plain_bit_operations,
           .memory_latency = options.memory_latency,
           .memory_stall_seed = options.memory_stall_seed,
+          .slb_dividers = options.slb_dividers,
           .defines = options.defines};
 }
 
@@ -36,13 +37,16 @@ GnomonModelStalls stalls_of(const StallProfile& profile) {
   return {gate_of(profile.command), gate_of(profile.result), profile.seed};
 }
 
-/// Longest time without a word moving in sound hardware: the clear of the plane, 16 entries a cycle; a port
-/// that is rarely open.
+/// Longest time without a word moving in sound hardware: the clear of the larger plane, 16 entries a cycle,
+/// or a fill of all its rows with lines everywhere; a port that is rarely open.
 std::uint64_t default_hang_cycles(const golden::HardwareConfig& config, const StallProfile& stalls) {
-  const auto side = static_cast<std::uint64_t>(config.plane_side());
+  const int plane_log2 =
+      config.en_slb ? std::max(config.plane_log2, config.slb_plane_log2) : config.plane_log2;
+  const auto side = std::uint64_t{1} << plane_log2;
   const std::uint64_t longest_block = std::uint64_t{1}
                                       << std::max(stalls.command.block_log2, stalls.result.block_log2);
-  return 20'000 + side * side / 8 + 2'000 * longest_block;
+  const std::uint64_t fill = config.en_slb ? std::uint64_t{4} << (2 * config.slb_plane_log2) : 0;
+  return 20'000 + side * side / 8 + fill + 2'000 * longest_block;
 }
 
 bool ended(int stop) {

@@ -67,6 +67,7 @@ struct RtlOptions {
   // What model runs; the configuration comes with make_rtl_engine.
   int memory_latency = 1;     ///< as in ModelSpec
   int memory_stall_seed = 0;  ///< as in ModelSpec
+  int slb_dividers = 2;       ///< as in ModelSpec
   bool trace_model = false;   ///< a model that can trace, also when `trace` is empty
   bool coverage = false;
   bool assertions = false;

@@ -37,9 +37,8 @@ bool bad_argument(const Header& header, const HardwareConfig& config) {
   }
 }
 
-}  // namespace
-
-std::optional<ErrorCode> header_error(const Header& header, const HardwareConfig& config) {
+/// Errors of the command processor and the projection unit.
+std::optional<ErrorCode> vpu_error(const Header& header, const HardwareConfig& config) {
   const auto flags = known_flags(header.op);
   if (!flags) return ErrorCode::UnknownOp;
   if ((header.flags & ~*flags) != 0) return ErrorCode::ReservedFlag;
@@ -51,8 +50,31 @@ std::optional<ErrorCode> header_error(const Header& header, const HardwareConfig
   return std::nullopt;
 }
 
-std::uint32_t result_count(const Header& header, const HardwareConfig& config) {
-  if (header_error(header, config)) return 1;
+}  // namespace
+
+std::optional<ErrorCode> CommandSequence::slb_error(const Header& header) const {
+  const auto op = static_cast<slb::SlbOp>(header.op);
+  if ((header.flags & ~slb::known_flags(op)) != 0) return ErrorCode::ReservedFlag;
+  if (!config_.en_slb) return ErrorCode::FeatureAbsent;
+  if (slb::bad_argument(op, header.arg, header.count, config_.slb_config())) return ErrorCode::BadArgument;
+  if (!slb_.allows(op)) return ErrorCode::BadSequence;
+  return std::nullopt;
+}
+
+std::optional<ErrorCode> CommandSequence::next(const Header& header) {
+  if (!slb::is_slb_op(header.op)) return vpu_error(header, config_);
+  const auto error = slb_error(header);
+  if (!error) slb_.advance(static_cast<slb::SlbOp>(header.op), header.flags);
+  return error;
+}
+
+std::uint32_t result_count(const Header& header, std::optional<ErrorCode> error,
+                           const HardwareConfig& config) {
+  if (error) return 1;
+  if (slb::is_slb_op(header.op)) {
+    return slb::result_words(static_cast<slb::SlbOp>(header.op), header.arg, header.count,
+                             config.slb_config());
+  }
   switch (static_cast<Op>(header.op)) {
     case Op::Fence:
       return 1;

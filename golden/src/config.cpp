@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The legality rules of docs/vpu.md, in the one place where C++ holds them.
+// The legality rules of docs/vpu.md and docs/slb.md, in the one place where C++ holds them.
 #include <gnomon/golden/config.hpp>
+#include <gnomon/golden/slb/codec.hpp>
+#include <tuple>
 
 namespace gnomon::golden {
 namespace {
@@ -15,7 +17,36 @@ std::string out_of_range(const Range& range) {
          std::to_string(range.low) + ".." + std::to_string(range.high);
 }
 
+auto vpu_parameters(const HardwareConfig& c) {
+  return std::tie(c.voxel_bits, c.voxel_frac_bits, c.normal_bits, c.matrix_frac_bits, c.depth_bits,
+                  c.plane_log2, c.en_vpu_offset, c.en_slb);
+}
+
+std::optional<std::string> check_slb(const HardwareConfig& config) {
+  const Range plane{"SLB_PLANE_LOG2", config.slb_plane_log2, 3, 12};
+  if (plane.value < plane.low || plane.value > plane.high) return out_of_range(plane);
+  const slb::SlbConfig slb = config.slb_config();
+  if (auto error = slb.check()) return error;
+  return slb::check_items(slb);
+}
+
 }  // namespace
+
+bool HardwareConfig::operator==(const HardwareConfig& other) const {
+  if (vpu_parameters(*this) != vpu_parameters(other)) return false;
+  return !en_slb || slb_config() == other.slb_config();
+}
+
+slb::SlbConfig HardwareConfig::slb_config() const {
+  return {.frac_bits = frac_bits,
+          .slope_bits = slope_bits,
+          .frags = frags_per_pixel,
+          .depth_bits = depth_bits,
+          .plane_log2 = slb_plane_log2,
+          .subpixel_bits = subpixel_bits,
+          .query_bits = query_bits,
+          .rounding = slb_rounding};
+}
 
 std::optional<std::string> HardwareConfig::check() const {
   const Range ranges[] = {
@@ -38,7 +69,7 @@ std::optional<std::string> HardwareConfig::check() const {
     return "MATRIX_FRAC_BITS=" + std::to_string(matrix_frac_bits) +
            " is below VOXEL_BITS + VOXEL_FRAC_BITS + 2 = " + std::to_string(p + 2);
   }
-  return std::nullopt;
+  return en_slb ? check_slb(*this) : std::nullopt;
 }
 
 }  // namespace gnomon::golden

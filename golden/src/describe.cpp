@@ -2,6 +2,7 @@
 // Words as one line of text, for mismatch reports and logs.
 #include <cstdio>
 #include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/slb/sequence.hpp>
 
 namespace gnomon::golden {
 namespace {
@@ -16,7 +17,30 @@ std::string depth_text(std::uint32_t depth) {
   return depth == 0xFFFFFF ? "none" : std::to_string(depth);
 }
 
+std::string slb_op_name(slb::SlbOp op) {
+  switch (op) {
+    case slb::SlbOp::Clear:
+      return "SLB_CLEAR";
+    case slb::SlbOp::BeginObject:
+      return "BEGIN_OBJECT";
+    case slb::SlbOp::Loop:
+      return "LOOP";
+    case slb::SlbOp::Fill:
+      return "FILL";
+    case slb::SlbOp::Cover:
+      return "COVER";
+    case slb::SlbOp::EndObject:
+      return "END_OBJECT";
+    case slb::SlbOp::Query:
+      return "QUERY";
+    case slb::SlbOp::ReadEntries:
+      return "READ_ENTRIES";
+  }
+  return "";
+}
+
 std::string op_name(std::uint8_t op) {
+  if (slb::is_slb_op(op)) return slb_op_name(static_cast<slb::SlbOp>(op));
   switch (static_cast<Op>(op)) {
     case Op::Nop:
       return "NOP";
@@ -48,6 +72,8 @@ std::string error_name(std::uint8_t error) {
       return "BAD_ARGUMENT";
     case ErrorCode::ReservedFlag:
       return "RESERVED_FLAG";
+    case ErrorCode::BadSequence:
+      return "BAD_SEQUENCE";
   }
   return "unknown error " + std::to_string(error);
 }
@@ -74,7 +100,13 @@ std::string sticky_text(std::uint32_t sticky) {
   add(kStickyErrorSeen, "ERROR_SEEN");
   add(kStickyOffPlane, "OFF_PLANE");
   add(kStickyDepthSaturated, "DEPTH_SATURATED");
-  const std::uint32_t unknown = sticky & ~(kStickyErrorSeen | kStickyOffPlane | kStickyDepthSaturated);
+  add(slb::kStickyLineOverflow, "LINE_OVERFLOW");
+  add(slb::kStickyObjectOverflow, "OBJECT_OVERFLOW");
+  add(slb::kStickyWindingSaturated, "WINDING_SATURATED");
+  constexpr std::uint32_t kKnown = kStickyErrorSeen | kStickyOffPlane | kStickyDepthSaturated |
+                                   slb::kStickyLineOverflow | slb::kStickyObjectOverflow |
+                                   slb::kStickyWindingSaturated;
+  const std::uint32_t unknown = sticky & ~kKnown;
   if (unknown != 0) add(unknown, hex(unknown, 6).c_str());
   return names.empty() ? "none" : names;
 }
@@ -103,6 +135,9 @@ std::string zero_bits_text(Word word, Word canonical) {
 }  // namespace
 
 std::string describe_result(Word word) {
+  const auto code = static_cast<std::uint8_t>(result_code(word));
+  if (code == slb::kAnswerCode) return slb::describe_answer(word);
+  if (code == slb::kEntryCode) return slb::describe_entry_header(word);
   switch (result_code(word)) {
     case ResultCode::Fence: {
       const FenceResult result = decode_fence_result(word);

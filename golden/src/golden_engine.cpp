@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command processor of docs/command-stream.md around the arithmetic of vpu.hpp.
+// The command processor of docs/command-stream.md around the arithmetic of vpu.hpp and slb/unit.hpp.
 #include <algorithm>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/command.hpp>
 #include <gnomon/golden/golden_engine.hpp>
+#include <gnomon/golden/slb/unit.hpp>
 #include <gnomon/golden/vpu.hpp>
 #include <stdexcept>
 #include <utility>
@@ -29,11 +30,14 @@ struct Events {
 struct State {
   explicit State(const HardwareConfig& config)
       : vpu(config),
-        plane(static_cast<std::size_t>(config.plane_side()) * static_cast<std::size_t>(config.plane_side())) {
-  }
+        plane(static_cast<std::size_t>(config.plane_side()) * static_cast<std::size_t>(config.plane_side())),
+        slb(config.en_slb ? std::make_unique<slb::SlbUnit>(config.slb_config()) : nullptr),
+        sequence(config) {}
 
   Vpu vpu;
   Plane plane;
+  std::unique_ptr<slb::SlbUnit> slb;  ///< only with EN_SLB
+  CommandSequence sequence;
   Events events;
   std::uint32_t sticky = 0;
   Header command;             ///< the command in progress
@@ -60,6 +64,8 @@ class GoldenEngine final : public Engine {
  private:
   void take_header(Word word);
   void take_items(std::span<const Word> items);
+  void begin_slb(const Header& header);
+  void give(std::span<const Word> results);
   void fence(const Header& header);
   void read_entries(const Header& header);
   void set_registers(std::span<const Word> values);
@@ -97,7 +103,7 @@ void GoldenEngine::take_header(Word word) {
   state_.command = header;
   state_.items_taken = 0;
   ++state_.events.commands;
-  const auto error = header_error(header, config_);
+  const auto error = state_.sequence.next(header);
   state_.ignore_items = error.has_value();
   if (error) {
     ++state_.events.errors;
@@ -105,6 +111,7 @@ void GoldenEngine::take_header(Word word) {
     state_.results.push_back(encode(ErrorResult{static_cast<std::uint8_t>(*error), index}));
     return;
   }
+  if (slb::is_slb_op(header.op)) return begin_slb(header);
   switch (static_cast<Op>(header.op)) {
     case Op::ClearPlane:
       state_.plane.clear();
@@ -123,6 +130,7 @@ void GoldenEngine::take_header(Word word) {
 void GoldenEngine::take_items(std::span<const Word> items) {
   if (state_.ignore_items) return;
   const Header& header = state_.command;
+  if (slb::is_slb_op(header.op)) return give(state_.slb->take(items));
   switch (static_cast<Op>(header.op)) {
     case Op::SetRegisters:
       set_registers(items);
@@ -138,9 +146,22 @@ void GoldenEngine::take_items(std::span<const Word> items) {
   }
 }
 
+void GoldenEngine::begin_slb(const Header& header) {
+  const slb::SlbOutcome outcome = state_.slb->begin(header.op, header.flags, header.arg, header.count);
+  if (outcome.error != slb::SlbError::None) throw std::logic_error("the unit refuses a command judged sound");
+  give(outcome.results);
+}
+
+void GoldenEngine::give(std::span<const Word> results) {
+  state_.results.insert(state_.results.end(), results.begin(), results.end());
+}
+
 void GoldenEngine::fence(const Header& header) {
-  state_.results.push_back(encode(FenceResult{.sticky = state_.sticky, .tag = header.arg}));
-  if ((header.flags & kFenceClearSticky) != 0) state_.sticky = 0;
+  const std::uint32_t slb_sticky = state_.slb ? slb::encode(state_.slb->model().sticky()) : 0;
+  state_.results.push_back(encode(FenceResult{.sticky = state_.sticky | slb_sticky, .tag = header.arg}));
+  if ((header.flags & kFenceClearSticky) == 0) return;
+  state_.sticky = 0;
+  if (state_.slb) state_.slb->model().clear_sticky();
 }
 
 void GoldenEngine::read_entries(const Header& header) {
@@ -223,18 +244,21 @@ VoxelResult GoldenEngine::resolve(const VoxelItem& item, bool two_sided) {
 
 Counters GoldenEngine::counters() const {
   const Events& events = state_.events;
-  return {.events = {{"COMMANDS", events.commands},
-                     {"ERRORS", events.errors},
-                     {"VOXELS_PROJECTED", events.projected},
-                     {"PROJECT_OFF_PLANE", events.project_off_plane},
-                     {"PROJECT_SATURATED", events.project_saturated},
-                     {"PLANE_WRITES", events.plane_writes},
-                     {"VOXELS_RESOLVED", events.resolved},
-                     {"RESOLVED_FACING_AWAY", events.resolved_facing_away},
-                     {"RESOLVED_UNCERTAIN", events.resolved_uncertain},
-                     {"RESOLVED_OFFSET_EMPTY", events.resolved_offset_empty},
-                     {"RESOLVED_SHADOW", events.resolved_shadow}},
-          .cycles = {}};
+  Counters counters{.events = {{"COMMANDS", events.commands},
+                               {"ERRORS", events.errors},
+                               {"VOXELS_PROJECTED", events.projected},
+                               {"PROJECT_OFF_PLANE", events.project_off_plane},
+                               {"PROJECT_SATURATED", events.project_saturated},
+                               {"PLANE_WRITES", events.plane_writes},
+                               {"VOXELS_RESOLVED", events.resolved},
+                               {"RESOLVED_FACING_AWAY", events.resolved_facing_away},
+                               {"RESOLVED_UNCERTAIN", events.resolved_uncertain},
+                               {"RESOLVED_OFFSET_EMPTY", events.resolved_offset_empty},
+                               {"RESOLVED_SHADOW", events.resolved_shadow}},
+                    .cycles = {}};
+  if (!state_.slb) return counters;
+  for (const auto& [name, count] : slb::named(state_.slb->model().counters())) counters.events[name] = count;
+  return counters;
 }
 
 std::vector<std::uint32_t> GoldenEngine::read_plane() {

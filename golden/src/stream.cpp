@@ -82,6 +82,83 @@ void StreamWriter::header(Op op, std::uint8_t flags, std::size_t count, std::uin
                                  .arg = arg}));
 }
 
+void StreamWriter::slb_clear() {
+  slb_header(slb::SlbOp::Clear, 0, 0, 0);
+}
+
+void StreamWriter::begin_object(std::uint8_t object, std::optional<std::uint32_t> flat_depth) {
+  const std::uint32_t arg = std::uint32_t{object} << 24 | depth_code("depth", flat_depth.value_or(0));
+  slb_header(slb::SlbOp::BeginObject, flat_depth ? slb::kBeginFlat : 0, 0, arg);
+}
+
+void StreamWriter::loop(std::span<const slb::Vertex> vertices) {
+  if (vertices.empty()) return slb_header(slb::SlbOp::Loop, 0, 0, 0);
+  slb_items(slb::SlbOp::Loop, 0, vertices);
+}
+
+void StreamWriter::fill() {
+  slb_header(slb::SlbOp::Fill, 0, 0, 0);
+}
+
+void StreamWriter::cover(std::span<const slb::CoverSample> samples, std::uint32_t margin) {
+  slb_items(slb::SlbOp::Cover, depth_code("margin", margin), samples);
+}
+
+void StreamWriter::end_object() {
+  slb_header(slb::SlbOp::EndObject, 0, 0, 0);
+}
+
+void StreamWriter::query(std::span<const slb::QueryPoint> points, std::uint32_t bias) {
+  slb_items(slb::SlbOp::Query, depth_code("bias", bias), points);
+}
+
+void StreamWriter::read_entries(std::uint32_t first, std::uint32_t count) {
+  const std::uint64_t entries = std::uint64_t{1} << (2 * config_.slb_plane_log2);
+  if (std::uint64_t{first} + count > entries) {
+    throw std::out_of_range("SLB entries " + std::to_string(first) + " + " + std::to_string(count) +
+                            " are beyond the plane's " + std::to_string(entries));
+  }
+  while (count > 0) {
+    const std::uint32_t n = std::min(count, std::uint32_t{256});
+    slb_header(slb::SlbOp::ReadEntries, 0, 0, slb::encode(slb::EntryRange{.first = first, .count = n}));
+    first += n;
+    count -= n;
+  }
+}
+
+void StreamWriter::slb_header(slb::SlbOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg) {
+  const Header header{.op = static_cast<std::uint8_t>(op),
+                      .flags = flags,
+                      .count = static_cast<std::uint16_t>(count),
+                      .arg = arg};
+  if (!config_.en_slb) throw std::logic_error(describe_header(encode(header)) + ": EN_SLB is 0");
+  if (!slb_.allows(op)) throw std::logic_error(describe_header(encode(header)) + ": out of sequence");
+  slb_.advance(op, flags);
+  words_.push_back(encode(header));
+}
+
+/// Items are encoded first, so that one that does not fit leaves nothing half written.
+template <typename Item>
+void StreamWriter::slb_items(slb::SlbOp op, std::uint32_t arg, std::span<const Item> items) {
+  std::vector<Word> encoded;
+  encoded.reserve(items.size());
+  for (const Item& item : items) encoded.push_back(slb::encode(item, config_.slb_config()));
+  std::span<const Word> rest = encoded;
+  while (!rest.empty()) {
+    const auto part = rest.first(std::min(rest.size(), std::size_t{kMaxItems}));
+    rest = rest.subspan(part.size());
+    const bool goes_on = op == slb::SlbOp::Loop && !rest.empty();
+    slb_header(op, goes_on ? slb::kLoopMore : 0, part.size(), arg);
+    words_.insert(words_.end(), part.begin(), part.end());
+  }
+}
+
+std::uint32_t StreamWriter::depth_code(const char* name, std::uint32_t depth) const {
+  if (depth <= config_.slb_config().no_depth()) return depth;
+  throw std::out_of_range(std::string(name) + "=" + std::to_string(depth) + " does not fit " +
+                          std::to_string(config_.depth_bits) + " bits");
+}
+
 void StreamWriter::voxels(Op op, std::uint8_t flags, std::span<const VoxelItem> items) {
   while (!items.empty()) {
     const auto part = items.first(std::min(items.size(), std::size_t{kMaxItems}));
@@ -107,12 +184,34 @@ std::optional<Command> CommandReader::next() {
 std::optional<ResultOrigin> find_result(std::span<const Word> words, std::uint64_t result,
                                         const HardwareConfig& config) {
   CommandReader reader(words);
+  CommandSequence sequence(config);
   while (const auto command = reader.next()) {
-    const std::uint32_t count = result_count(command->header, config);
-    if (result < count) return ResultOrigin{*command, static_cast<std::uint32_t>(result)};
-    result -= count;
+    const auto error = sequence.next(command->header);
+    const std::uint32_t count = result_count(command->header, error, config);
+    if (result >= count) {
+      result -= count;
+      continue;
+    }
+    const auto number = static_cast<std::uint32_t>(result);
+    const bool entries = command->header.op == static_cast<std::uint8_t>(slb::SlbOp::ReadEntries);
+    if (error || !entries) return ResultOrigin{*command, number, std::nullopt};
+    const auto each = static_cast<std::uint32_t>(1 + config.slb_config().entry_words());
+    const std::uint32_t word = number % each;
+    return ResultOrigin{*command, number / each, word == 0 ? std::nullopt : std::optional(word - 1)};
   }
   return std::nullopt;
+}
+
+std::optional<ResultRecord> ResultReader::next() {
+  if (offset_ >= words_.size()) return std::nullopt;
+  ResultRecord result{.offset = offset_, .word = words_[offset_], .raw = {}};
+  if (static_cast<std::uint8_t>(result_code(result.word)) == slb::kEntryCode) {
+    const auto rest = words_.subspan(offset_ + 1);
+    const std::size_t announced = slb::decode_entry_header(result.word).words;
+    result.raw = rest.first(std::min(rest.size(), announced));
+  }
+  offset_ += 1 + result.raw.size();
+  return result;
 }
 
 }  // namespace gnomon::golden

@@ -15,9 +15,11 @@ namespace gnomon::golden {
 namespace {
 
 constexpr std::string_view kMagic = "GNOMON\x1A\n";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kConfigFields = 7;
-constexpr std::size_t kHeaderBytes = kMagic.size() + 4 + 4 * kConfigFields + 8;
+constexpr std::uint32_t kVersion = 2;
+constexpr std::size_t kConfigFields = 15;
+/// What version 1 holds of them: no silhouette-line buffer.
+constexpr std::size_t kConfigFieldsOfVersion1 = 7;
+constexpr std::size_t kConfigOffset = kMagic.size() + 4;
 constexpr std::size_t kBlockWords = 1 << 16;
 
 void put(std::string& bytes, std::uint64_t value, int count) {
@@ -33,18 +35,34 @@ std::uint64_t get(std::string_view bytes, std::size_t at, std::size_t count) {
 }
 
 std::array<int, kConfigFields> config_values(const HardwareConfig& c) {
-  return {c.voxel_bits, c.voxel_frac_bits, c.normal_bits,  c.matrix_frac_bits,
-          c.depth_bits, c.plane_log2,      c.en_vpu_offset};
+  return {
+      c.voxel_bits, c.voxel_frac_bits, c.normal_bits,   c.matrix_frac_bits, c.depth_bits,
+      c.plane_log2, c.en_vpu_offset,   c.en_slb,        c.slb_plane_log2,   c.frac_bits,
+      c.slope_bits, c.frags_per_pixel, c.subpixel_bits, c.query_bits,       static_cast<int>(c.slb_rounding)};
+}
+
+/// Of a file of this version.
+std::size_t config_fields(std::uint64_t version) {
+  return version == 1 ? kConfigFieldsOfVersion1 : kConfigFields;
+}
+std::size_t header_size(std::uint64_t version) {
+  return kConfigOffset + 4 * config_fields(version) + 8;
 }
 
 /// A field too large for an int is illegal whatever it is; it is kept illegal rather than wrapped.
-HardwareConfig decode_config(std::string_view bytes, std::size_t at) {
-  std::array<int, kConfigFields> v{};
-  for (std::size_t i = 0; i < kConfigFields; ++i) {
-    const std::uint64_t value = get(bytes, at + 4 * i, 4);
+HardwareConfig decode_config(std::string_view bytes, std::uint64_t version) {
+  std::array<int, kConfigFields> v = config_values({});
+  for (std::size_t i = 0; i < config_fields(version); ++i) {
+    const std::uint64_t value = get(bytes, kConfigOffset + 4 * i, 4);
     v[i] = static_cast<int>(std::min(value, std::uint64_t{std::numeric_limits<int>::max()}));
   }
-  return {v[0], v[1], v[2], v[3], v[4], v[5], v[6] != 0};
+  const auto rounding = v[14] == 0 ? slb::Rounding::Better : slb::Rounding::Published;
+  return {v[0], v[1], v[2],  v[3],  v[4],  v[5],  v[6] != 0, v[7] != 0,
+          v[8], v[9], v[10], v[11], v[12], v[13], rounding};
+}
+
+std::uint64_t rounding_field(std::string_view bytes, std::uint64_t version) {
+  return version == 1 ? 0 : get(bytes, kConfigOffset + 4 * (kConfigFields - 1), 4);
 }
 
 std::string header_bytes(const HardwareConfig& config, std::size_t words) {
@@ -98,28 +116,35 @@ std::variant<StreamFile, std::string> load_stream(const std::filesystem::path& p
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) return system_failure(path, "cannot open the stream file");
-  std::string header(kHeaderBytes, '\0');
+  std::string header(header_size(kVersion), '\0');
   file.read(header.data(), static_cast<std::streamsize>(header.size()));
   const auto got = static_cast<std::size_t>(file.gcount());
   if (header.compare(0, kMagic.size(), kMagic) != 0) return failure(path, "is not a Gnomon stream file");
-  if (got < kHeaderBytes) {
-    return failure(path, "ends after " + std::to_string(got) + " bytes; the header alone has " +
-                             std::to_string(kHeaderBytes));
-  }
-  const std::uint64_t version = get(header, kMagic.size(), 4);
-  if (version != kVersion) {
-    return failure(path, "has version " + std::to_string(version) + "; this program reads version " +
+  const std::uint64_t version = got < kConfigOffset ? kVersion : get(header, kMagic.size(), 4);
+  if (version < 1 || version > kVersion) {
+    return failure(path, "has version " + std::to_string(version) + "; this program reads versions 1 to " +
                              std::to_string(kVersion));
   }
+  const std::size_t header_length = header_size(version);
+  if (got < header_length) {
+    return failure(path, "ends after " + std::to_string(got) + " bytes; the header alone has " +
+                             std::to_string(header_length));
+  }
+  file.clear();  // a short file of version 1 ends before a header of version 2 does
+  file.seekg(static_cast<std::streamoff>(header_length));
+  if (const auto rounding = rounding_field(header, version); rounding > 1) {
+    return failure(
+        path, "names illegal hardware: SLB_ROUNDING=" + std::to_string(rounding) + " is out of range 0..1");
+  }
   StreamFile stream;
-  stream.config = decode_config(header, kMagic.size() + 4);
+  stream.config = decode_config(header, version);
   if (const auto error = stream.config.check()) return failure(path, "names illegal hardware: " + *error);
-  const std::uint64_t words = get(header, kHeaderBytes - 8, 8);
+  const std::uint64_t words = get(header, header_length - 8, 8);
   const std::uint64_t bytes = std::filesystem::file_size(path, status);
   if (status) return failure(path, "cannot tell the file's size: " + status.message());
-  if ((bytes - kHeaderBytes) % 8 != 0 || (bytes - kHeaderBytes) / 8 != words) {
+  if ((bytes - header_length) % 8 != 0 || (bytes - header_length) / 8 != words) {
     return failure(path, "promises " + std::to_string(words) + " words, but " +
-                             std::to_string(bytes - kHeaderBytes) + " bytes follow the header");
+                             std::to_string(bytes - header_length) + " bytes follow the header");
   }
   stream.words.resize(words);
   file.read(reinterpret_cast<char*>(stream.words.data()), static_cast<std::streamsize>(words * 8));

@@ -92,9 +92,10 @@ std::vector<Word> expected_voxel_states(const HardwareConfig& config, std::span<
   stimulus::RegisterValues registers{};
   exact::Plane plane;
   golden::CommandReader reader(words);
+  golden::CommandSequence sequence(config);
   while (const auto command = reader.next()) {
     const golden::Header& header = command->header;
-    if (golden::header_error(header, config)) continue;
+    if (sequence.next(header)) continue;
     const exact::Unit unit(config, registers);
     const auto op = static_cast<golden::Op>(header.op);
     if (op == golden::Op::ClearPlane) plane.clear();

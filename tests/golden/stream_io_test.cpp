@@ -68,8 +68,45 @@ TEST_F(StreamIo, LongAndEmptyStreams) {
 TEST_F(StreamIo, BytesAreAsDescribed) {
   ASSERT_EQ(save_stream(path_, {}, std::vector<Word>{0x1122334455667788}), std::nullopt);
   const auto le32 = [](char value) { return std::string{value, 0, 0, 0}; };
-  EXPECT_EQ(bytes(), "GNOMON\x1A\n" + le32(1) + le32(8) + le32(2) + le32(9) + le32(22) + le32(20) + le32(9) +
-                         le32(1) + le32(1) + le32(0) + "\x88\x77\x66\x55\x44\x33\x22\x11");
+  EXPECT_EQ(bytes(), "GNOMON\x1A\n" + le32(2) + le32(8) + le32(2) + le32(9) + le32(22) + le32(20) + le32(9) +
+                         le32(1) + le32(0) + le32(8) + le32(7) + le32(7) + le32(2) + le32(10) + le32(10) +
+                         le32(0) + le32(1) + le32(0) + "\x88\x77\x66\x55\x44\x33\x22\x11");
+}
+
+/// Files of hardware without the silhouette-line buffer, from before there was one.
+TEST_F(StreamIo, Version1IsRead) {
+  const auto le32 = [](char value) { return std::string{value, 0, 0, 0}; };
+  const std::string head =
+      "GNOMON\x1A\n" + le32(1) + le32(7) + le32(3) + le32(9) + le32(22) + le32(20) + le32(9) + le32(0);
+  for (const char count : {char{0}, char{1}, char{3}}) {
+    std::string file = head + le32(count) + le32(0);
+    for (char i = 0; i < count; ++i) file += std::string{1, 2, 3, 4, 5, 6, 7, i};
+    write(file);
+    const auto result = load_stream(path_);
+    ASSERT_TRUE(std::holds_alternative<StreamFile>(result)) << std::get<std::string>(result);
+    const auto& [config, words] = std::get<StreamFile>(result);
+    EXPECT_EQ(config, (HardwareConfig{.voxel_bits = 7, .voxel_frac_bits = 3, .en_vpu_offset = false}));
+    ASSERT_EQ(words.size(), static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < words.size(); ++i) EXPECT_EQ(words[i], Word{i} << 56 | 0x07060504030201);
+  }
+  write(head.substr(0, 20));
+  EXPECT_EQ(failure(), "ends after 20 bytes; the header alone has 48");
+}
+
+TEST_F(StreamIo, EverySlbParameterIsKept) {
+  HardwareConfig config;
+  config.en_slb = true;
+  config.slb_plane_log2 = 7;
+  config.frac_bits = 4;
+  config.slope_bits = 5;
+  config.frags_per_pixel = 3;
+  config.subpixel_bits = 9;
+  config.query_bits = 8;
+  config.slb_rounding = slb::Rounding::Published;
+  ASSERT_EQ(save_stream(path_, config, {}), std::nullopt);
+  const auto result = load_stream(path_);
+  ASSERT_TRUE(std::holds_alternative<StreamFile>(result)) << std::get<std::string>(result);
+  EXPECT_EQ(std::get<StreamFile>(result).config, config);
 }
 
 TEST_F(StreamIo, EachDamageHasItsMessage) {
@@ -83,16 +120,18 @@ TEST_F(StreamIo, EachDamageHasItsMessage) {
     return failure();
   };
   EXPECT_EQ(damaged(0, 'X'), "is not a Gnomon stream file");
-  EXPECT_EQ(damaged(8, 2), "has version 2; this program reads version 1");
+  EXPECT_EQ(damaged(8, 3), "has version 3; this program reads versions 1 to 2");
+  EXPECT_EQ(damaged(8, 0), "has version 0; this program reads versions 1 to 2");
   EXPECT_EQ(damaged(12, 3), "names illegal hardware: VOXEL_BITS=3 is out of range 4..11");
   EXPECT_EQ(damaged(15, '\xFF'), "names illegal hardware: VOXEL_BITS=2147483647 is out of range 4..11");
-  EXPECT_EQ(damaged(40, 3), "promises 3 words, but 16 bytes follow the header");
+  EXPECT_EQ(damaged(68, 2), "names illegal hardware: SLB_ROUNDING=2 is out of range 0..1");
+  EXPECT_EQ(damaged(72, 3), "promises 3 words, but 16 bytes follow the header");
   write(good.substr(0, good.size() - 1));
   EXPECT_EQ(failure(), "promises 2 words, but 15 bytes follow the header");
   write(good + "x");
   EXPECT_EQ(failure(), "promises 2 words, but 17 bytes follow the header");
   write(good.substr(0, 20));
-  EXPECT_EQ(failure(), "ends after 20 bytes; the header alone has 48");
+  EXPECT_EQ(failure(), "ends after 20 bytes; the header alone has 80");
   write("");
   EXPECT_EQ(failure(), "is not a Gnomon stream file");
 }

@@ -55,10 +55,6 @@ Word flag(bool value, int position) {
   return Word{value} << position;
 }
 
-std::string named(const char* name, std::int64_t value) {
-  return std::string(" ") + name + "=" + std::to_string(value);
-}
-
 }  // namespace
 
 std::uint32_t encode(const SlbSticky& sticky) {
@@ -71,10 +67,10 @@ std::optional<std::string> check_items(const SlbConfig& config) {
   const int vertex = 2 * config.vertex_width() + config.depth_bits;
   const int query = 2 * config.query_width() + config.depth_bits;
   if (vertex > 64)
-    return "a vertex needs 2 (PLANE_LOG2 + 2 + SUBPIXEL_BITS) + DEPTH_BITS = " + std::to_string(vertex) +
+    return "a vertex needs 2 (SLB_PLANE_LOG2 + 2 + SUBPIXEL_BITS) + DEPTH_BITS = " + std::to_string(vertex) +
            " bits, 64 at most";
   if (query > 64)
-    return "a query needs 2 (PLANE_LOG2 + 2 + QUERY_BITS) + DEPTH_BITS = " + std::to_string(query) +
+    return "a query needs 2 (SLB_PLANE_LOG2 + 2 + QUERY_BITS) + DEPTH_BITS = " + std::to_string(query) +
            " bits, 64 at most";
   return std::nullopt;
 }
@@ -136,10 +132,10 @@ CoverSample decode_cover(Word word, const SlbConfig& config) {
 }
 
 Word encode(const QueryAnswer& answer, std::uint16_t index) {
-  return Word{static_cast<std::uint8_t>(SlbOp::Query)} << kCode | flag(answer.shadow, kShadow) |
-         flag(answer.by_full, kByFull) | flag(answer.by_lines, kByLines) |
-         flag(answer.has_fragment, kHasFragment) | flag(answer.overflow, kOverflow) |
-         flag(answer.off_plane, kOffPlane) | Word{answer.object} << kObject | index;
+  return Word{kAnswerCode} << kCode | flag(answer.shadow, kShadow) | flag(answer.by_full, kByFull) |
+         flag(answer.by_lines, kByLines) | flag(answer.has_fragment, kHasFragment) |
+         flag(answer.overflow, kOverflow) | flag(answer.off_plane, kOffPlane) |
+         Word{answer.object} << kObject | index;
 }
 
 QueryAnswer decode_answer(Word word) {
@@ -159,39 +155,19 @@ std::uint16_t answer_index(Word word) {
 }
 
 Word encode(const EntryHeader& header) {
-  return Word{static_cast<std::uint8_t>(SlbOp::ReadEntries)} << kCode | Word{header.index} << 32 |
-         header.words;
+  return Word{kEntryCode} << kCode | Word{header.index} << 32 | header.words;
 }
 
 EntryHeader decode_entry_header(Word word) {
   return {static_cast<std::uint32_t>(word >> 32) & 0xFFFFFF, static_cast<std::uint8_t>(word)};
 }
 
-std::string describe_answer(Word word) {
-  const QueryAnswer a = decode_answer(word);
-  return "SLB_ANSWER" + named("item", answer_index(word)) + named("shadow", a.shadow) +
-         named("by_full", a.by_full) + named("by_lines", a.by_lines) + named("has_fragment", a.has_fragment) +
-         named("overflow", a.overflow) + named("off_plane", a.off_plane) + named("object", a.object);
+std::uint32_t encode(const EntryRange& range) {
+  return ((range.count - 1) & 0xFF) << 24 | (range.first & 0xFFFFFF);
 }
 
-std::string describe(const Line& line) {
-  return std::string(line.major ? "y-major" : "x-major") + (line.xsign ? " falling" : " rising") +
-         named("cross", line.cross) + named("inner", line.inner) + named("frac", line.frac) +
-         named("slope", line.slope);
-}
-
-std::string describe(const Entry& entry) {
-  std::string text = "entry" + named("count", entry.count) + named("overflow", entry.overflow) +
-                     named("full_depth", entry.full_depth);
-  for (int i = 0; i < entry.count; ++i) {
-    const Fragment& fragment = entry.fragments[static_cast<std::size_t>(i)];
-    static constexpr const char* kOps[] = {"one", "and", "or", "two"};
-    text += "; " + std::string(kOps[static_cast<std::size_t>(fragment.op)]) + named("depth", fragment.depth) +
-            named("object", fragment.object) + named("T", fragment.threshold_m1 + 1) +
-            named("cont", fragment.cont) + " A{" + describe(fragment.a) + "}";
-    if (fragment.op != FragmentOp::One) text += " B{" + describe(fragment.b) + "}";
-  }
-  return text;
+EntryRange decode_entry_range(std::uint32_t arg) {
+  return {.first = arg & 0xFFFFFF, .count = (arg >> 24) + 1};
 }
 
 }  // namespace gnomon::golden::slb

@@ -24,7 +24,7 @@ std::optional<std::string> SlbConfig::check() const {
   if (auto error = out_of_range("SLOPE_BITS", slope_bits, 3, 9)) return error;
   if (auto error = out_of_range("FRAGS_PER_PIXEL", frags, 1, kMaxFrags)) return error;
   if (auto error = out_of_range("DEPTH_BITS", depth_bits, 8, 24)) return error;
-  if (auto error = out_of_range("PLANE_LOG2", plane_log2, 3, 16)) return error;
+  if (auto error = out_of_range("SLB_PLANE_LOG2", plane_log2, 3, 16)) return error;
   if (auto error = out_of_range("SUBPIXEL_BITS", subpixel_bits, frac_bits + 3, 16)) return error;
   if (auto error = out_of_range("QUERY_BITS", query_bits, frac_bits + 3, 16)) return error;
   if (subpixel_bits < slope_bits - frac_bits + 4)
@@ -32,7 +32,7 @@ std::optional<std::string> SlbConfig::check() const {
            " is below SLOPE_BITS - FRAC_BITS + 4 = " + std::to_string(slope_bits - frac_bits + 4);
   // Products of two coordinates then fit 64 bits everywhere.
   if (vertex_width() > 28 || query_width() > 28)
-    return "PLANE_LOG2=" + std::to_string(plane_log2) +
+    return "SLB_PLANE_LOG2=" + std::to_string(plane_log2) +
            " with SUBPIXEL_BITS=" + std::to_string(subpixel_bits) +
            " and QUERY_BITS=" + std::to_string(query_bits) + ": a coordinate has more than 28 bits";
   return std::nullopt;

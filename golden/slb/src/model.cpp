@@ -6,6 +6,33 @@
 
 namespace gnomon::golden::slb {
 
+std::array<std::pair<const char*, std::uint64_t>, 23> named(const SlbCounters& counters) {
+  const SlbCounters& c = counters;
+  return {{{"SLB_OBJECTS", c.objects},
+           {"SLB_LOOPS", c.loops},
+           {"SLB_LOOPS_SHORT", c.loops_short},
+           {"SLB_LOOPS_TINY", c.loops_tiny},
+           {"SLB_TINY_AREA2", c.tiny_area2},
+           {"SLB_VERTICES", c.vertices},
+           {"SLB_VERTICES_REPEATED", c.vertices_repeated},
+           {"SLB_CROSSINGS", c.crossings},
+           {"SLB_CHAINS", c.chains},
+           {"SLB_CHAINS_OFF_PLANE", c.chains_off_plane},
+           {"SLB_CHAINS_DROPPED", c.chains_dropped},
+           {"SLB_CHAINS_REDUCED", c.chains_reduced},
+           {"SLB_GROUPS_EVICTED", c.groups_evicted},
+           {"SLB_WINDING_SATURATED", c.winding_saturated},
+           {"SLB_FILL_PIXELS", c.fill_pixels},
+           {"SLB_FILL_GROUPS", c.fill_groups},
+           {"SLB_FILL_COVERED", c.fill_covered},
+           {"SLB_COVERS", c.covers},
+           {"SLB_COVERS_USED", c.covers_used},
+           {"SLB_QUERIES", c.queries},
+           {"SLB_QUERIES_SHADOW", c.queries_shadow},
+           {"SLB_QUERIES_OFF_PLANE", c.queries_off_plane},
+           {"SLB_QUERIES_OVERFLOW", c.queries_overflow}}};
+}
+
 SlbModel::SlbModel(const SlbConfig& config)
     : config_([&] {
         if (const auto error = config.check()) throw std::invalid_argument(*error);

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <gnomon/golden/config.hpp>
 #include <gnomon/golden/engine.hpp>
+#include <gnomon/golden/slb/codec.hpp>
 #include <string>
 
 namespace gnomon::golden {
 
+/// Of the command processor and the projection unit; the silhouette-line buffer's are slb::SlbOp.
 enum class Op : std::uint8_t {
   Nop = 0x00,
   SetRegisters = 0x01,
@@ -63,6 +65,7 @@ struct VoxelItem {
 Word encode(const VoxelItem& item, const HardwareConfig& config);
 VoxelItem decode_voxel(Word word, const HardwareConfig& config);
 
+/// As Op; slb::kAnswerCode and slb::kEntryCode are the silhouette-line buffer's.
 enum class ResultCode : std::uint8_t { Fence = 0x03, PlaneEntry = 0x04, VoxelState = 0x11, Error = 0xFF };
 ResultCode result_code(Word word);
 
@@ -71,9 +74,11 @@ enum class ErrorCode : std::uint8_t {
   FeatureAbsent = 2,
   BadRegister = 3,
   BadArgument = 4,
-  ReservedFlag = 5
+  ReservedFlag = 5,
+  BadSequence = 6
 };
 
+// Bits 8 and up are slb::kSticky...
 inline constexpr std::uint32_t kStickyErrorSeen = 1;
 inline constexpr std::uint32_t kStickyOffPlane = 2;
 inline constexpr std::uint32_t kStickyDepthSaturated = 4;
@@ -112,6 +117,7 @@ Word encode(const ErrorResult& result);
 ErrorResult decode_error_result(Word word);
 
 /// One line naming every field of a result or command word, for mismatch reports and logs.
+/// Raw words of an entry are not results on their own: slb::describe_entry_word.
 std::string describe_result(Word word);
 std::string describe_header(Word word);
 

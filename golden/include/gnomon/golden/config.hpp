@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters a piece of hardware is built with, and the widths that follow from them (docs/vpu.md).
+// The parameters a piece of hardware is built with, and the widths that follow from them (docs/vpu.md,
+// docs/slb.md).
 #pragma once
 
+#include <gnomon/golden/slb/config.hpp>
 #include <optional>
 #include <string>
 
@@ -17,7 +19,17 @@ struct HardwareConfig {
   int plane_log2 = 9;         ///< PLANE_LOG2, 4..12
   bool en_vpu_offset = true;  ///< EN_VPU_OFFSET
 
-  bool operator==(const HardwareConfig&) const = default;
+  bool en_slb = false;      ///< EN_SLB: with the silhouette-line buffer. Without it, the rest means nothing
+  int slb_plane_log2 = 8;   ///< SLB_PLANE_LOG2, 3..12; the unit has a plane of its own
+  int frac_bits = 7;        ///< FRAC_BITS, 3..8
+  int slope_bits = 7;       ///< SLOPE_BITS, 3..9
+  int frags_per_pixel = 2;  ///< FRAGS_PER_PIXEL, 1..4
+  int subpixel_bits = 10;   ///< SUBPIXEL_BITS, FRAC_BITS + 3..16
+  int query_bits = 10;      ///< QUERY_BITS, FRAC_BITS + 3..16
+  slb::Rounding slb_rounding = slb::Rounding::Better;  ///< SLB_ROUNDING
+
+  /// The same hardware: parameters of a unit that neither has do not count.
+  bool operator==(const HardwareConfig& other) const;
 
   /// Nothing if the combination is legal; else one line naming the parameter, its value and the range or
   /// rule.
@@ -25,6 +37,7 @@ struct HardwareConfig {
 
   int position_bits() const { return voxel_bits + voxel_frac_bits; }  ///< P
   int plane_side() const { return 1 << plane_log2; }                  ///< entries
+  slb::SlbConfig slb_config() const;                                  ///< DEPTH_BITS is both units'
 };
 
 }  // namespace gnomon::golden

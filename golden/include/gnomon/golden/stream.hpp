@@ -5,13 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/slb/sequence.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace gnomon::golden {
 
-/// Appends sound commands to a stream. Lists of more than kMaxItems items become several commands.
+/// Appends sound commands to a stream that starts at reset. Lists of more than kMaxItems items become several
+/// commands.
 class StreamWriter {
  public:
   /// `config` must be legal.
@@ -30,6 +32,23 @@ class StreamWriter {
   void project(std::span<const VoxelItem> items);
   void resolve(std::span<const VoxelItem> items, bool two_sided);
 
+  // The silhouette-line buffer. All of these throw std::logic_error if the hardware has no such unit or the
+  // command may not follow on those before, and std::out_of_range if a field does not fit its bits; nothing
+  // is written then.
+  void slb_clear();
+  /// A flat caster has one depth code everywhere; without, every vertex brings its own.
+  void begin_object(std::uint8_t object, std::optional<std::uint32_t> flat_depth = std::nullopt);
+  /// A whole loop, interior on its left.
+  void loop(std::span<const slb::Vertex> vertices);
+  void fill();
+  /// `margin` in depth codes.
+  void cover(std::span<const slb::CoverSample> samples, std::uint32_t margin);
+  void end_object();
+  /// `bias` in depth codes.
+  void query(std::span<const slb::QueryPoint> points, std::uint32_t bias);
+  /// Any number of entries, in commands of at most 256.
+  void read_entries(std::uint32_t first, std::uint32_t count);
+
   const std::vector<Word>& words() const { return words_; }
   /// Hands the stream over and starts an empty one.
   std::vector<Word> take();
@@ -37,9 +56,14 @@ class StreamWriter {
  private:
   void header(Op op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   void voxels(Op op, std::uint8_t flags, std::span<const VoxelItem> items);
+  void slb_header(slb::SlbOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
+  template <typename Item>
+  void slb_items(slb::SlbOp op, std::uint32_t arg, std::span<const Item> items);
+  std::uint32_t depth_code(const char* name, std::uint32_t depth) const;
 
   HardwareConfig config_;
   std::vector<Word> words_;
+  slb::SlbSequence slb_;  ///< as the commands written leave it
 };
 
 /// One command inside a stream.
@@ -67,13 +91,35 @@ class CommandReader {
 /// Which command a result word answers.
 struct ResultOrigin {
   Command command;
-  std::uint32_t result =
-      0;  ///< number of the word among the command's results; for RESOLVE_VOXELS the number of the item
+  /// Number of the result among the command's: of the item, of the entry read.
+  std::uint32_t result = 0;
+  /// Of an entry of READ_ENTRIES: the word is its raw word with this number, not its SLB_ENTRY word.
+  std::optional<std::uint32_t> raw_word;
 };
 
 /// The origin of result word `result` of a stream that starts at reset; nothing if the stream has fewer
 /// results.
 std::optional<ResultOrigin> find_result(std::span<const Word> words, std::uint64_t result,
                                         const HardwareConfig& config);
+
+/// One result of a result stream.
+struct ResultRecord {
+  std::size_t offset = 0;  ///< of the word, in words from the start
+  Word word = 0;
+  std::span<const Word> raw;  ///< an SLB_ENTRY's raw words; fewer than it announces if the stream ends there
+};
+
+/// Walks results: `ResultReader reader(words); while (auto result = reader.next()) ...`. Raw words may look
+/// like any result; this keeps them apart. `words` must outlive it.
+class ResultReader {
+ public:
+  explicit ResultReader(std::span<const Word> words) : words_(words) {}
+  /// Nothing at the end of the stream.
+  std::optional<ResultRecord> next();
+
+ private:
+  std::span<const Word> words_;
+  std::size_t offset_ = 0;
+};
 
 }  // namespace gnomon::golden

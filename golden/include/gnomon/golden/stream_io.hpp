@@ -13,8 +13,9 @@
 
 namespace gnomon::golden {
 
-/// A file holds, in little-endian: the 8 bytes "GNOMON\x1A\n", uint32 version (1), seven uint32 in the order
-/// of HardwareConfig's members, uint64 number of words, the words.
+/// A file holds, in little-endian: the 8 bytes "GNOMON\x1A\n", uint32 version (2), fifteen uint32 in the
+/// order of HardwareConfig's members, uint64 number of words, the words. Version 1 has only the first seven
+/// parameters (no silhouette-line buffer); it is read too.
 struct StreamFile {
   HardwareConfig config;
   std::vector<Word> words;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the silhouette-line buffer's commands and results (docs/slb.md, "Commands").
+// Words of the silhouette-line buffer's commands and results (docs/command-stream.md).
 #pragma once
 
 #include <cstdint>
@@ -44,6 +44,17 @@ Word encode(const QueryAnswer& answer, std::uint16_t index);
 QueryAnswer decode_answer(Word word);
 std::uint16_t answer_index(Word word);
 
+/// Codes of the unit's result words, bits 63:56.
+inline constexpr std::uint8_t kAnswerCode = 0x26, kEntryCode = 0x27;
+
+/// The argument of ReadEntries.
+struct EntryRange {
+  std::uint32_t first = 0;  ///< row-major, 24 bits
+  std::uint32_t count = 1;  ///< 1..256
+};
+std::uint32_t encode(const EntryRange& range);
+EntryRange decode_entry_range(std::uint32_t arg);
+
 /// The word before an entry's raw words.
 struct EntryHeader {
   std::uint32_t index = 0;
@@ -53,8 +64,11 @@ struct EntryHeader {
 Word encode(const EntryHeader& header);
 EntryHeader decode_entry_header(Word word);
 
-/// One line naming every field, for mismatch reports.
+/// One line naming every field, for mismatch reports. No two words read the same.
 std::string describe_answer(Word word);
+std::string describe_entry_header(Word word);
+/// Raw word `index` of an entry: the fields that lie in it, wholly or in part.
+std::string describe_entry_word(Word word, int index, const SlbConfig& config);
 std::string describe(const Line& line);
 std::string describe(const Entry& entry);
 

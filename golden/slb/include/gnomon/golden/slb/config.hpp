@@ -24,7 +24,7 @@ struct SlbConfig {
   int slope_bits = 7;      ///< SLOPE_BITS S, 3..9
   int frags = 2;           ///< FRAGS_PER_PIXEL K, 1..4
   int depth_bits = 20;     ///< DEPTH_BITS D, 8..24; code 2^D - 1 means none
-  int plane_log2 = 8;      ///< PLANE_LOG2, 3..12
+  int plane_log2 = 8;      ///< SLB_PLANE_LOG2, 3..12 in hardware, 16 here
   int subpixel_bits = 10;  ///< SUBPIXEL_BITS s, fraction bits of a vertex, F+3..16
   int query_bits = 10;     ///< QUERY_BITS Q, fraction bits of a query, F+3..16
   Rounding rounding = Rounding::Better;
@@ -50,6 +50,7 @@ struct SlbConfig {
   int fragment_bits() const;
   int entry_bits() const;         ///< as laid out, before rounding up to a power of two
   int stored_entry_bits() const;  ///< the next power of two, at least 64
+  int entry_words() const { return stored_entry_bits() / 64; }
 };
 
 /// The published encodings: 4-bit fraction and slope, 7-bit fraction and slope.

@@ -2,6 +2,7 @@
 // The silhouette-line buffer unit as a whole: objects in, answers out (docs/slb.md).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <gnomon/golden/slb/chain_builder.hpp>
 #include <gnomon/golden/slb/fragment_store.hpp>
@@ -9,10 +10,11 @@
 #include <gnomon/golden/slb/winding.hpp>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace gnomon::golden::slb {
 
-/// Event counters; the same on every engine (docs/slb.md, "Counters").
+/// Event counters; the same on every engine (docs/command-stream.md, "Counters").
 struct SlbCounters {
   std::uint64_t objects = 0;
   std::uint64_t loops = 0;        ///< closed, of any kind
@@ -39,6 +41,8 @@ struct SlbCounters {
   std::uint64_t queries_overflow = 0;  ///< answered by an entry where something did not fit
   bool operator==(const SlbCounters&) const = default;
 };
+/// With their names, in the order of docs/command-stream.md.
+std::array<std::pair<const char*, std::uint64_t>, 23> named(const SlbCounters& counters);
 
 /// Sticky flags of the unit, in the order of docs/slb.md.
 struct SlbSticky {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Executes commands word by word, with their errors: what the hardware answers (docs/slb.md, "Commands").
+// Executes commands, with their errors: what the hardware answers (docs/command-stream.md).
 #pragma once
 
 #include <cstdint>
-#include <gnomon/golden/slb/codec.hpp>
+#include <gnomon/golden/slb/sequence.hpp>
 #include <span>
 #include <vector>
 
@@ -29,18 +29,30 @@ class SlbUnit {
   /// Throws std::invalid_argument unless config.check() and check_items(config) pass.
   explicit SlbUnit(const SlbConfig& config);
 
-  /// A command with an op of this unit and all its items. In error it has no effect.
+  /// A command with all its items. In error it has no effect.
   SlbOutcome execute(std::uint8_t op, std::uint8_t flags, std::uint32_t arg, std::span<const Word> items);
+
+  /// The same in pieces: a header, with the results that need no items. In error it has no effect, and its
+  /// items must be kept back.
+  SlbOutcome begin(std::uint8_t op, std::uint8_t flags, std::uint32_t arg, std::size_t count);
+  /// The next items of the command begun, `count` in all; their results.
+  std::vector<Word> take(std::span<const Word> items);
 
   SlbModel& model() { return model_; }
   const SlbModel& model() const { return model_; }
 
  private:
   SlbError check(std::uint8_t op, std::uint8_t flags, std::uint32_t arg, std::size_t count) const;
-  bool allowed(SlbOp op) const;
+  void close_loop_if_complete();
   std::vector<Word> read_entries(std::uint32_t arg) const;
 
   SlbModel model_;
+  SlbSequence sequence_;
+  SlbOp op_ = SlbOp::Clear;  ///< of the command in progress
+  bool more_ = false;
+  std::uint32_t depth_ = 0;     ///< its argument read as bias or margin
+  std::size_t items_left_ = 0;  ///< of it
+  std::uint16_t index_ = 0;     ///< of its next item
 };
 
 }  // namespace gnomon::golden::slb
