@@ -26,10 +26,10 @@ bool ShadowMap::in_shadow(const Vec3& point, double facing) const {
   const Vec2 at = plane_.pixel(point);
   const Vec2 centre(std::floor(at.x) + 0.5, std::floor(at.y) + 0.5);
   if (std::min(centre.x, centre.y) < 0 || std::max(centre.x, centre.y) > plane_.side) return false;
-  const Vec3 aside =
-      plane_.right * ((centre.x - at.x) * plane_.pitch) + plane_.up * ((centre.y - at.y) * plane_.pitch);
+  const Vec3 aside = plane_.axes.right * ((centre.x - at.x) * plane_.pitch) +
+                     plane_.axes.up * ((centre.y - at.y) * plane_.pitch);
   const double bias = std::sqrt(0.5) * plane_.pitch * slope_of(facing) + kCurvature;
-  return reference_.blocked(point + aside - plane_.away * bias);
+  return reference_.blocked(point + aside - plane_.axes.away * bias);
 }
 
 SampleAnswers ShadowMap::answers(const ShadowTruth& truth) const {

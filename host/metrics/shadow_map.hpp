@@ -6,27 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "host/base/vec.hpp"
+#include "host/base/light_plane.hpp"
 #include "host/metrics/exact_reference.hpp"
 #include "host/metrics/shadow_error.hpp"
 #include "host/metrics/shadow_truth.hpp"
 
 namespace gnomon::metrics {
-
-/// A square plane of pixels perpendicular to the light. Unit vectors in grid coordinates, pairwise
-/// orthogonal; pixel (x, y) of point p is (right.p / pitch + x1, up.p / pitch + y1).
-struct LightPlane {
-  Vec3 right, up, away;  ///< `away`: the way the light travels
-  double x1 = 0, y1 = 0;
-  double pitch = 1;  ///< voxels per pixel
-  int side = 0;      ///< pixels
-
-  Vec2 pixel(const Vec3& p) const { return {right.dot(p) / pitch + x1, up.dot(p) / pitch + y1}; }
-  /// The same area with `times` as many pixels on each side.
-  LightPlane finer(int times) const {
-    return {right, up, away, x1 * times, y1 * times, pitch / times, side * times};
-  }
-};
 
 /// The nearest depth at each pixel's centre, exact (a ray each, cast when it is asked for, so that no
 /// resolution is too high), compared with a slope-scaled bias. Thread-safe. `reference` must outlive it.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/base/light_plane.hpp"
 #include "host/plan/representative.hpp"
 
 namespace gnomon::plan {
@@ -39,49 +40,33 @@ struct Interval {
   double size() const { return hi - lo; }
 };
 
-/// Plane axes: u along the grid axis that lies best in the plane, so that an axis-parallel light sees the
-/// voxel columns.
-struct Frame {
-  Vec3 u, v, d;
-};
-Frame light_frame(const Vec3& light) {
-  const Vec3 d = light.normalized();
-  int along = 0;
-  for (int axis = 1; axis < 3; ++axis)
-    if (std::abs(d[axis]) < std::abs(d[along])) along = axis;
-  Vec3 axis(0, 0, 0);
-  axis[along] = 1;
-  const Vec3 u = (axis - d * d.dot(axis)).normalized();
-  return {u, d.cross(u), d};
-}
-
 struct Extent {
-  Interval u, v, d;  // voxels along the frame's axes
+  Interval u, v, d;  // voxels along right, up, away
 };
-Extent extent_of(const voxel::VoxelSet& voxels, const Frame& frame) {
+Extent extent_of(const voxel::VoxelSet& voxels, const LightAxes& axes) {
   Extent extent;
   for (const auto& voxel : voxels.voxels) {
     const Vec3 p = representative(voxel);
-    extent.u.extend(frame.u.dot(p));
-    extent.v.extend(frame.v.dot(p));
-    extent.d.extend(frame.d.dot(p));
+    extent.u.extend(axes.right.dot(p));
+    extent.v.extend(axes.up.dot(p));
+    extent.d.extend(axes.away.dot(p));
   }
   return extent;
 }
 
-Projection make_projection(const Frame& frame, const Extent& extent, double pitch, int plane_side,
+Projection make_projection(const LightAxes& axes, const Extent& extent, double pitch, int plane_side,
                            int depth_bits, double reach) {
   Projection projection;
   projection.pitch = pitch;
   projection.plane_side = plane_side;
-  projection.u = frame.u / pitch;
-  projection.v = frame.v / pitch;
+  projection.u = axes.right / pitch;
+  projection.v = axes.up / pitch;
   // Whole entries only: the lattice stays aligned with the voxels where the light is parallel to an axis.
   projection.u1 = std::floor((plane_side - extent.u.size() / pitch) / 2) - std::floor(extent.u.lo / pitch);
   projection.v1 = std::floor((plane_side - extent.v.size() / pitch) / 2) - std::floor(extent.v.lo / pitch);
   const double range = std::max(extent.d.size() + 2 * reach, kMinDepthRange);
   projection.codes_per_voxel = (std::ldexp(1.0, depth_bits) - 2) / range;
-  projection.d = frame.d * projection.codes_per_voxel;
+  projection.d = axes.away * projection.codes_per_voxel;
   projection.d1 = -(extent.d.lo - reach) * projection.codes_per_voxel;
   return projection;
 }
@@ -167,8 +152,8 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const
     return fail("the scene has no voxels: expected at least one surface inside the grid");
   if (!(light.length() > 0) || !std::isfinite(light.length()))
     return fail("light has no direction: expected three finite numbers, not all 0");
-  const Frame frame = light_frame(light);
-  const Extent extent = extent_of(voxels, frame);
+  const LightAxes axes = light_axes(light);
+  const Extent extent = extent_of(voxels, axes);
   const double side = std::max(extent.u.size(), extent.v.size());
   // One voxel's reach beyond the outermost points on each side: offset points must find their entries.
   const double reach = settings.offset_factor + 1;
@@ -203,7 +188,7 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const
   plan.settings.voxel_frac_bits = config.voxel_frac_bits;
   if (const auto wrong = config.check()) return fail(*wrong);
 
-  plan.projection = make_projection(frame, extent, pitch, config.plane_side(), config.depth_bits, reach);
+  plan.projection = make_projection(axes, extent, pitch, config.plane_side(), config.depth_bits, reach);
   if (auto done = set_registers(plan); !done) return tl::make_unexpected(done.error());
   return plan;
 }

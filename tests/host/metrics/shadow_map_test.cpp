@@ -22,7 +22,7 @@ class ShadowMapTest : public testing::Test {
   static LightPlane plane(double pitch) {
     const double c = 0.8;
     const double s = 0.6;
-    return {Vec3(c, s, 0), Vec3(s, -c, 0), Vec3(0, 0, -1), 20, 50, pitch, 128};
+    return {{Vec3(c, s, 0), Vec3(s, -c, 0), Vec3(0, 0, -1)}, 20, 50, pitch, 128};
   }
   double displaced(const LightPlane& plane) const {
     const SampleAnswers answers = ShadowMap(reference_, plane).answers(truth_);
@@ -65,7 +65,7 @@ TEST_F(ShadowMapTest, AFlatReceiverNeverShadowsItself) {
   const Vec3 travel = Vec3(1, 0.3, -0.3).normalized();
   const ExactReference alone(ground, {true}, {travel});
   const Vec3 right = travel.cross(Vec3(0, 0, 1)).normalized();
-  const ShadowMap map(alone, {right, right.cross(travel), travel, 64, 64, 1.3, 128});
+  const ShadowMap map(alone, {{right, right.cross(travel), travel}, 64, 64, 1.3, 128});
   for (int i = 0; i < 1000; ++i)
     ASSERT_FALSE(map.in_shadow(Vec3(3 + 0.026 * i, 3 + 0.017 * i, 4.5), -travel.z)) << i;
 }
