@@ -9,7 +9,7 @@
 namespace gnomon::cli {
 
 Result<std::vector<ProjectionJob>> projection_jobs(Context& context, const LoadedScene& input) {
-  const Result<voxel::VoxelSet> voxels = voxelize_scene(context, input, true);
+  const Result<voxel::VoxelSet> voxels = voxelize_scene(context, input);
   if (!voxels) return tl::make_unexpected(voxels.error());
   std::vector<bool> two_sided;
   for (const scene::Object& object : input.scene.objects) two_sided.push_back(object.two_sided);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <vector>
 
 #include "host/cli/progress.hpp"
@@ -27,9 +28,12 @@ Result<std::vector<surface::LimitSurface>> limit_surfaces(const scene::Scene& sc
   return surfaces;
 }
 
-}  // namespace
+template <class Set>
+using Voxelizer = Result<Set>(std::span<const surface::LimitSurface>, const voxel::Grid&,
+                              const voxel::VoxelizerOptions&);
 
-Result<voxel::VoxelSet> voxelize_scene(Context& context, const LoadedScene& input, bool representatives) {
+template <class Set>
+Result<Set> with_progress(Context& context, const LoadedScene& input, Voxelizer<Set>* voxelize) {
   const auto res = static_cast<std::uint32_t>(input.settings.integer("res"));
   const Result<voxel::Grid> grid = scene::fit_grid(input.scene, res, adjacency_of(input.settings));
   if (!grid) return tl::make_unexpected(grid.error());
@@ -37,13 +41,22 @@ Result<voxel::VoxelSet> voxelize_scene(Context& context, const LoadedScene& inpu
   if (!surfaces) return tl::make_unexpected(surfaces.error());
   ProgressLine line(context.show_progress);
   voxel::VoxelizerOptions options;
-  options.representatives = representatives;
   options.threads = static_cast<unsigned>(input.settings.integer("threads"));
   options.progress = [&](double done) {
     context.interruption.check();
     line.update("voxelize", done);
   };
-  return voxel::voxelize(*surfaces, *grid, options);
+  return voxelize(*surfaces, *grid, options);
+}
+
+}  // namespace
+
+Result<voxel::VoxelSet> voxelize_scene(Context& context, const LoadedScene& input) {
+  return with_progress(context, input, voxel::voxelize);
+}
+
+Result<voxel::CoordinateSet> voxelize_scene_coordinates(Context& context, const LoadedScene& input) {
+  return with_progress(context, input, voxel::voxelize_coordinates);
 }
 
 }  // namespace gnomon::cli

@@ -6,34 +6,19 @@
 #include <openvdb/openvdb.h>
 #include <tbb/parallel_sort.h>
 
-#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <span>
+
+#include "host/pipeline/npy.hpp"
 
 namespace gnomon::cli {
-namespace {
 
-static_assert(std::endian::native == std::endian::little, "write_npy writes memory as it is");
-
-/// Magic, version 1.0, length of the text, the text padded so that the data begin at a multiple of 64.
-std::string npy_header(std::size_t rows) {
-  std::string text = fmt::format("{{'descr': '<i4', 'fortran_order': False, 'shape': ({}, 3), }}", rows);
-  constexpr std::size_t kPrefix = 10;
-  text.append(63 - (kPrefix + text.size()) % 64, ' ');
-  text += '\n';
-  std::string header("\x93NUMPY\x01\x00", 8);
-  header += static_cast<char>(text.size() & 0xFFU);
-  header += static_cast<char>(text.size() >> 8U);
-  return header + text;
-}
-
-}  // namespace
-
-std::vector<std::array<std::int32_t, 3>> sorted_coordinates(const voxel::VoxelSet& voxels) {
+std::vector<std::array<std::int32_t, 3>> sorted_coordinates(const voxel::CoordinateSet& voxels) {
   std::vector<std::array<std::int32_t, 3>> rows;
   rows.reserve(voxels.voxels.size());
-  for (const voxel::Voxel& v : voxels.voxels) rows.push_back({v.x, v.y, v.z});
+  for (const voxel::VoxelCoordinate& v : voxels.voxels) rows.push_back({v.x, v.y, v.z});
   tbb::parallel_sort(rows.begin(), rows.end());
   return rows;
 }
@@ -48,7 +33,7 @@ nlohmann::ordered_json grid_json(const voxel::Grid& grid) {
 Result<void> write_npy(const std::filesystem::path& path,
                        const std::vector<std::array<std::int32_t, 3>>& rows) {
   std::ofstream file(path, std::ios::binary);
-  const std::string header = npy_header(rows.size());
+  const std::string header = pipeline::npy_header(rows.size(), 3);
   file.write(header.data(), static_cast<std::streamsize>(header.size()));
   const auto bytes = std::as_bytes(std::span(rows));
   file.write(static_cast<const char*>(static_cast<const void*>(bytes.data())),

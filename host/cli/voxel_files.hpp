@@ -14,7 +14,7 @@
 namespace gnomon::cli {
 
 /// x y z of every voxel, in ascending order.
-std::vector<std::array<std::int32_t, 3>> sorted_coordinates(const voxel::VoxelSet& voxels);
+std::vector<std::array<std::int32_t, 3>> sorted_coordinates(const voxel::CoordinateSet& voxels);
 
 /// {"res", "origin", "voxel_size", "adjacency"}: voxel centre = origin + (i + 1/2) * voxel_size.
 nlohmann::ordered_json grid_json(const voxel::Grid& grid);

@@ -42,7 +42,7 @@ class VoxelizeCommand : public Command {
     if (!adjacency_.empty()) flags.push_back("adjacency=" + adjacency_);
     const Result<LoadedScene> input = load_input(context, model_, flags, {{"ground", "off", "default"}});
     if (!input) return tl::make_unexpected(input.error());
-    const Result<voxel::VoxelSet> voxels = voxelize_scene(context, *input, false);
+    const Result<voxel::CoordinateSet> voxels = voxelize_scene_coordinates(context, *input);
     if (!voxels) return tl::make_unexpected(voxels.error());
     context.interruption.check();
     if (Result<void> written = write(*voxels); !written) return tl::make_unexpected(written.error());
@@ -61,7 +61,7 @@ class VoxelizeCommand : public Command {
     return {};
   }
 
-  Result<void> write(const voxel::VoxelSet& voxels) const {
+  Result<void> write(const voxel::CoordinateSet& voxels) const {
     const std::vector<std::array<std::int32_t, 3>> rows = sorted_coordinates(voxels);
     OutputFiles files;
     for (const fs::path& output : outputs_) {
@@ -79,7 +79,7 @@ class VoxelizeCommand : public Command {
     return files.commit();
   }
 
-  void report(const voxel::VoxelSet& voxels) const {
+  void report(const voxel::CoordinateSet& voxels) const {
     const voxel::VoxelStatistics& s = voxels.statistics;
     const double count = static_cast<double>(voxels.voxels.size());
     if (json_) {

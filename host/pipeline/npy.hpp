@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers as a NumPy array.
+// Arrays for NumPy.
 #pragma once
 
 #include <gnomon/golden/codec.hpp>
@@ -10,7 +10,11 @@
 
 namespace gnomon::pipeline {
 
-/// voxels.npy: NumPy's format 1.0, little-endian int32, shape (N, 4), C order; a row is x, y, z, state (1
+/// What NumPy's format 1.0 has before the numbers of a little-endian int32 array of shape (rows, columns), C
+/// order.
+std::string npy_header(std::size_t rows, std::size_t columns);
+
+/// voxels.npy: NumPy's format 1.0, int32, shape (N, 4); a row is x, y, z, state (1
 /// lit, 2 in shadow), in ascending order of x, y, z. `states` runs as `voxels.voxels`.
 std::string voxels_npy(const voxel::VoxelSet& voxels, std::span<const golden::VoxelState> states);
 

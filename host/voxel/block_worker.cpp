@@ -182,7 +182,7 @@ bool BlockWorker::first_here(VoxelKey key) {
 
 void BlockWorker::collect(BlockOutput& out) {
   std::uint64_t points = 0;
-  if (wanted_ == Wanted::Coordinates) {
+  if (members_ != nullptr) {
     lattice_.for_each_visited([&](int i, int j) {
       ++points;
       members_->insert(lattice_.voxel(i, j));
@@ -205,8 +205,8 @@ void BlockWorker::collect(BlockOutput& out) {
 }
 
 Voxel BlockWorker::voxel_at_point(int i, int j) {
-  return wanted_ == Wanted::Representatives ? lattice_.representative(i, j, zero_normals_)
-                                            : bare_voxel(lattice_.voxel(i, j));
+  return members_ == nullptr ? lattice_.representative(i, j, zero_normals_)
+                             : bare_voxel(lattice_.voxel(i, j));
 }
 
 void BlockWorker::record_leaf(const Box& b, BlockOutput& out) const {

@@ -19,13 +19,6 @@ struct LeafRecord {
   Corners corners;
 };
 
-/// What is wanted of the blocks.
-enum class Wanted : std::uint8_t {
-  Coordinates,     ///< voxels go to `members`, nothing else is kept
-  Voxels,          ///< in order, without representatives
-  Representatives  ///< in order, with them
-};
-
 /// A limit point outside the grid.
 struct Outside {
   std::uint32_t object, face;
@@ -46,11 +39,10 @@ struct BlockOutput {
 /// Scratch memory for one thread.
 class BlockWorker {
  public:
-  /// `members` is needed, and used, for Wanted::Coordinates alone.
+  /// Where `members` is given, voxels go there, without representatives, instead of to the output.
   BlockWorker(std::span<const surface::LimitSurface> surfaces, std::span<BorderCache> borders,
-              RecursionRules rules, Wanted wanted, bool leaves, BrickSet* members)
+              RecursionRules rules, bool leaves, BrickSet* members)
       : rules_(rules),
-        wanted_(wanted),
         leaves_wanted_(leaves),
         exact_(rules.adjacency == Adjacency::N6),
         members_(members),
@@ -103,7 +95,6 @@ class BlockWorker {
   Voxel voxel_at_point(int i, int j);
 
   RecursionRules rules_;
-  Wanted wanted_;
   bool leaves_wanted_;
   bool exact_;  // N = 6: positions are needed, not only voxels
   BrickSet* members_;

@@ -61,7 +61,7 @@ class Run {
   }
 
   template <class Merge>
-  Result<VoxelStatistics> operator()(Wanted wanted, bool leaves, BrickSet* members, Merge merge) {
+  Result<VoxelStatistics> operator()(bool leaves, BrickSet* members, Merge merge) {
     VoxelStatistics statistics;
     std::optional<Outside> outside;
     std::atomic<bool> stop = false;
@@ -75,8 +75,7 @@ class Run {
     tbb::task_arena arena(threads);
     const std::size_t tokens = 4 * static_cast<std::size_t>(arena.max_concurrency());
     tbb::enumerable_thread_specific<BlockWorker> workers([&] {
-      return BlockWorker(surfaces_, borders_, rules_, wanted, leaves,
-                         members == nullptr ? nullptr : &sets.local());
+      return BlockWorker(surfaces_, borders_, rules_, leaves, members == nullptr ? nullptr : &sets.local());
     });
     const auto produce = [&](tbb::flow_control& control) -> std::shared_ptr<Batch> {
       auto batch = stop ? nullptr : next_batch();
@@ -178,8 +177,7 @@ Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const
     if (members.insert(key_of(v))) set.voxels.push_back(v);
   };
   Run run(surfaces, grid, options);
-  const Wanted wanted = options.representatives ? Wanted::Representatives : Wanted::Voxels;
-  const auto statistics = run(wanted, options.subpatches, nullptr, [&](const BlockOutput& out) {
+  const auto statistics = run(options.subpatches, nullptr, [&](const BlockOutput& out) {
     for (const Voxel& v : out.voxels) add_voxel(v);
     for (const LeafRecord& l : out.leaves) {
       set.subpatches.push_back({l.object,
@@ -209,8 +207,7 @@ Result<CoordinateSet> voxelize_coordinates(std::span<const surface::LimitSurface
   BrickSet members;
   Extras extras;
   Run run(surfaces, grid, options);
-  const auto statistics =
-      run(Wanted::Coordinates, false, &members, [&](const BlockOutput& out) { extras.gather(out); });
+  const auto statistics = run(false, &members, [&](const BlockOutput& out) { extras.gather(out); });
   if (!statistics) return tl::make_unexpected(statistics.error());
   set.statistics = *statistics;
   extras.release(grid.res, [&](const Voxel& v) { members.insert(key_of(v)); });

@@ -13,10 +13,8 @@
 namespace gnomon::voxel {
 
 struct VoxelizerOptions {
-  bool representatives =
-      true;                 ///< fill point, normal, face, u, v of each voxel; off: coordinates alone, faster
-  bool subpatches = false;  ///< return the leaves
-  unsigned threads = 0;     ///< 0: all cores
+  bool subpatches = false;                    ///< return the leaves
+  unsigned threads = 0;                       ///< 0: all cores
   std::function<void(double done)> progress;  ///< called with 0..1 from one thread at a time; may be empty
 };
 
@@ -26,8 +24,8 @@ struct VoxelizerOptions {
 Result<VoxelSet> voxelize(std::span<const surface::LimitSurface> surfaces, const Grid& grid,
                           const VoxelizerOptions& options = {});
 
-/// The same voxels in another order, with the least time and memory. `options.representatives` and
-/// `.subpatches` are ignored.
+/// The same voxels in another order, with the least time and memory. `options.subpatches` is
+/// ignored.
 Result<CoordinateSet> voxelize_coordinates(std::span<const surface::LimitSurface> surfaces, const Grid& grid,
                                            const VoxelizerOptions& options = {});
 
