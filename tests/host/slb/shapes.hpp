@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <gnomon/golden/config.hpp>
 
 #include "host/slb/loop_scene.hpp"
 #include "tests/golden/slb/shapes.hpp"
@@ -35,6 +36,21 @@ inline golden::slb::SlbConfig small_plane(int frac_bits) {
   config.plane_log2 = 6;
   config.subpixel_bits = 12;
   config.query_bits = 14;
+  return config;
+}
+
+/// Hardware with that buffer.
+inline golden::HardwareConfig hardware(const golden::slb::SlbConfig& slb) {
+  golden::HardwareConfig config;
+  config.en_slb = true;
+  config.slb_plane_log2 = slb.plane_log2;
+  config.frac_bits = slb.frac_bits;
+  config.slope_bits = slb.slope_bits;
+  config.frags_per_pixel = slb.frags;
+  config.depth_bits = slb.depth_bits;
+  config.subpixel_bits = slb.subpixel_bits;
+  config.query_bits = slb.query_bits;
+  config.slb_rounding = slb.rounding;
   return config;
 }
 
