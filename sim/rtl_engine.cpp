@@ -100,6 +100,8 @@ class RtlEngineImpl final : public RtlEngine {
     golden::Counters counters;
     for (std::uint32_t i = 0; i < kEventNames.size(); ++i)
       counters.events[std::string(kEventNames[i])] = counter(i);
+    for (std::uint32_t i = 0; config_.en_slb && i < kSlbEventNames.size(); ++i)
+      counters.events[std::string(kSlbEventNames[i])] = counter(kFirstSlbCounter + i);
     for (std::size_t pass = 0; pass < kPassNames.size(); ++pass) {
       for (std::size_t cause = 0; cause < kCauseNames.size(); ++cause) {
         counters.cycles[cycle_counter_name(pass, cause)] = counter(cycle_counter_index(pass, cause));

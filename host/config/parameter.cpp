@@ -38,6 +38,19 @@ Parameter choice(std::string_view key, std::vector<std::string_view> words, std:
   return {key, Type::Choice, 0, 0, std::move(words), std::move(preset), "", help};
 }
 
+/// The published encodings.
+Parameter slb_preset() {
+  Parameter preset =
+      choice("slb_preset", {"slb7", "slb4"}, "sets frac_bits and slope_bits where nothing else does");
+  preset.implies = {{"slb4", "frac_bits", std::int64_t{4}}, {"slb4", "slope_bits", std::int64_t{4}}};
+  return preset;
+}
+
+/// 0: as few as the encoding allows.
+std::vector<std::string_view> fraction_widths() {
+  return {"0", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16"};
+}
+
 std::vector<Parameter> make_parameters() {
   return {
       integer("res", 256, 16, 2048, "voxels", "side of the voxel grid"),
@@ -45,7 +58,7 @@ std::vector<Parameter> make_parameters() {
                  "which voxels count as neighbours of each other"),
       choice("technique", {"voxel-offset"}, "how shadows are decided"),
       integer_of("plane", 0, {"0", "16", "32", "64", "128", "256", "512", "1024", "2048", "4096"}, "entries",
-                 "side of the projection plane; 0: the smallest that holds the scene"),
+                 "side of the technique's projection plane; 0: the smallest that holds the scene"),
       number("pitch", 1.4, 0.25, 16, "voxels/entry", "voxels per plane entry"),
       number("offset", 0.7, 0, 8, "voxels", "how far an uncertain voxel moves along its normal"),
       number("margin", 1.5, 0, 8, "voxels",
@@ -58,6 +71,15 @@ std::vector<Parameter> make_parameters() {
       integer_of("normal_bits", 0, {"0", "4", "5", "6", "7", "8", "9", "10", "11", "12"}, "bits",
                  "width of a normal's component; 0: as many as the voxel word leaves, at most 9"),
       integer("matrix_frac_bits", 22, 12, 28, "bits", "fraction bits of the projection matrix"),
+      slb_preset(),
+      integer("frac_bits", 7, 3, 8, "bits", "of a silhouette line's crossing"),
+      integer("slope_bits", 7, 3, 9, "bits", "of a silhouette line's slope"),
+      integer("frags", 2, 1, 4, "a pixel", "fragments of the silhouette-line buffer, two lines each"),
+      choice("rounding", {"better", "published"}, "how a silhouette line's fields are rounded"),
+      integer_of("subpixel_bits", 0, fraction_widths(), "bits",
+                 "fraction bits of an outline's vertices; 0: as few as frac_bits and slope_bits allow"),
+      integer_of("query_bits", 0, fraction_widths(), "bits",
+                 "fraction bits of a point asked for; 0: as few as frac_bits allows"),
       choice("surface", {"catmull-clark", "polygons"},
              "what faces are: the cage of a smooth surface, or the surface itself"),
       choice("ground", {"on", "off"}, "put a ground under the models"),
@@ -76,14 +98,6 @@ std::vector<Parameter> make_parameters() {
       integer("threads", 0, 0, 1024, "threads", "threads of the host; 0: one per core"),
       integer("seed", 1, 0, kLargestSeed, "", "reset values of the simulated registers"),
   };
-}
-
-/// What other builds have and this one does not.
-std::string_view missing_unit(std::string_view key) {
-  for (const std::string_view slb : {"frac_bits", "slope_bits", "frags"}) {
-    if (key == slb) return "the silhouette-line buffer";
-  }
-  return "";
 }
 
 Result<double> parse_number(std::string_view key, std::string_view all, std::string_view text) {
@@ -168,9 +182,6 @@ Result<const Parameter*> find_parameter(std::string_view key) {
   for (const Parameter& parameter : parameters()) {
     if (parameter.key == key) return &parameter;
     keys.push_back(parameter.key);
-  }
-  if (const std::string_view unit = missing_unit(key); !unit.empty()) {
-    return fail(fmt::format("key '{}' belongs to {}, which is not in this build", key, unit));
   }
   return fail(fmt::format("unknown key '{}', {}", key, suggestion(key, keys)));
 }

@@ -21,6 +21,12 @@ enum class Type : std::uint8_t { Integer, Number, Choice, Vector };
 /// What a parameter can hold: Integer, Number, Choice (its word) or Vector (three numbers).
 using Value = std::variant<std::int64_t, double, std::string, std::array<double, 3>>;
 
+/// Choosing `word` gives the parameter `key` another default.
+struct Implied {
+  std::string_view word, key;
+  Value preset;
+};
+
 struct Parameter {
   std::string_view key;
   Type type;
@@ -29,6 +35,7 @@ struct Parameter {
   Value preset;                         ///< the default value
   std::string_view unit;                ///< empty where it has none
   std::string_view help;                ///< one line
+  std::vector<Implied> implies = {};    ///< of Choice: what its words preset
 
   /// "16..2048", "on | off", "x,y,z": what may be written after key=.
   std::string range() const;

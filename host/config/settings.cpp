@@ -27,6 +27,16 @@ std::vector<Assignment> environment_assignments(std::span<const std::string> env
   return found;
 }
 
+Settings::Entry Settings::default_of(const Parameter& parameter) const {
+  for (const Parameter& choice : parameters()) {
+    for (const Implied& implied : choice.implies) {
+      if (implied.key != parameter.key || word(choice.key) != implied.word) continue;
+      return {implied.preset, fmt::format("{}={}", choice.key, implied.word)};
+    }
+  }
+  return {parameter.preset, "default"};
+}
+
 Result<Settings> Settings::resolve(std::span<const std::vector<Assignment>> weakest_first) {
   Settings settings;
   for (const Parameter& parameter : parameters()) {
@@ -41,6 +51,10 @@ Result<Settings> Settings::resolve(std::span<const std::vector<Assignment>> weak
       settings.entries_[assignment.key] = {std::move(*value), assignment.origin};
     }
   }
+  for (const Parameter& parameter : parameters()) {
+    Entry& entry = settings.entries_.at(std::string(parameter.key));
+    if (entry.origin == "default") entry = settings.default_of(parameter);
+  }
   return settings;
 }
 
@@ -48,7 +62,7 @@ std::vector<std::string> Settings::as_flags() const {
   std::vector<std::string> flags;
   for (const Parameter& parameter : parameters()) {
     const Entry& e = entry(parameter.key);
-    if (e.value == parameter.preset) continue;
+    if (e.value == default_of(parameter).value) continue;
     flags.emplace_back("--set");
     flags.push_back(fmt::format("{}={}", parameter.key, to_text(e.value)));
   }

@@ -29,11 +29,12 @@ class Settings {
  public:
   struct Entry {
     Value value;
-    std::string origin;  ///< "default" or an Assignment's
+    std::string origin;  ///< "default", an Assignment's, or "key=word" of the choice that implies it
   };
 
-  /// Later sources win over earlier ones, and within a source the later assignment. Errors are one line,
-  /// "origin: error: res=9 is out of range 16..2048".
+  /// Later sources win over earlier ones, and within a source the later assignment; what no source sets takes
+  /// the default that a choice implies, else its own. Errors are one line, "origin: error: res=9 is out of
+  /// range 16..2048".
   static Result<Settings> resolve(std::span<const std::vector<Assignment>> weakest_first);
 
   const Entry& entry(std::string_view key) const { return entries_.at(std::string(key)); }
@@ -44,10 +45,12 @@ class Settings {
   std::array<double, 3> vector(std::string_view key) const {
     return std::get<std::array<double, 3>>(entry(key).value);
   }
-  /// The words "--set key=value ..." for everything that is not at its default.
+  /// The words "--set key=value ..." for everything that is not at its default, implied ones included.
   std::vector<std::string> as_flags() const;
 
  private:
+  Entry default_of(const Parameter& parameter) const;
+
   std::map<std::string, Entry> entries_;
 };
 

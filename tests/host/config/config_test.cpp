@@ -52,8 +52,8 @@ TEST(Registry, IsSound) {
     ASSERT_TRUE(again.has_value()) << again.error().message;
     EXPECT_TRUE(*again == p.preset);
   }
-  for (const char* key :
-       {"res", "adjacency", "plane", "depth_bits", "technique", "surface", "ground", "light"}) {
+  for (const char* key : {"res", "adjacency", "plane", "frac_bits", "slope_bits", "frags", "depth_bits",
+                          "technique", "surface", "ground", "light"}) {
     EXPECT_TRUE(keys.contains(key)) << key;
   }
 }
@@ -97,9 +97,7 @@ TEST(Parse, ReadsVectors) {
 TEST(Find, NamesTheNearestKey) {
   EXPECT_EQ(refusal("rse", "1"), "unknown key 'rse', did you mean 'res'?");
   EXPECT_EQ(refusal("depth_bit", "1"), "unknown key 'depth_bit', did you mean 'depth_bits'?");
-  EXPECT_EQ(refusal("frac_bits", "4"),
-            "key 'frac_bits' belongs to the silhouette-line buffer, which is not in this build");
-  EXPECT_THAT(refusal("technique", "slb"), HasSubstr("not in this build"));
+  EXPECT_THAT(refusal("technique", "ray-tracing"), HasSubstr("not in this build"));
 }
 
 TEST(Settings, StrongerSourcesWin) {
@@ -116,6 +114,37 @@ TEST(Settings, StrongerSourcesWin) {
   EXPECT_EQ(settings.entry("margin").origin, "s.toml:3");
   EXPECT_EQ(settings.entry("depth_bits").origin, "default");
   EXPECT_THAT(settings.as_flags(), testing::ElementsAre("--set", "pitch=3", "--set", "margin=1"));
+}
+
+TEST(Settings, AChoicePresetsWhatNobodySets) {
+  const auto with = [](const std::vector<Assignment>& assignments) {
+    return Settings::resolve(std::vector<std::vector<Assignment>>{assignments}).value();
+  };
+  const Assignment slb4{"slb_preset", "slb4", "command line"};
+  EXPECT_EQ(with({}).integer("frac_bits"), 7);
+  const Settings both = with({slb4});
+  EXPECT_EQ(both.integer("frac_bits"), 4);
+  EXPECT_EQ(both.integer("slope_bits"), 4);
+  EXPECT_EQ(both.entry("slope_bits").origin, "slb_preset=slb4");
+  EXPECT_THAT(both.as_flags(), testing::ElementsAre("--set", "slb_preset=slb4"));
+  // A key that is set keeps its value, be it stronger or weaker than the preset, and also where it says what
+  // is the default without it.
+  const Settings one = with({{"slope_bits", "7", "scene.toml:2"}, slb4});
+  EXPECT_EQ(one.integer("frac_bits"), 4);
+  EXPECT_EQ(one.integer("slope_bits"), 7);
+  EXPECT_THAT(one.as_flags(), testing::ElementsAre("--set", "slb_preset=slb4", "--set", "slope_bits=7"));
+}
+
+TEST(Registry, ImpliedDefaultsAreLegal) {
+  int implied = 0;
+  for (const Parameter& choice : parameters()) {
+    for (const Implied& each : choice.implies) {
+      EXPECT_TRUE(choice.parse(each.word).has_value()) << choice.key;
+      EXPECT_TRUE((*find_parameter(each.key))->parse(to_text(each.preset)).has_value()) << each.key;
+      ++implied;
+    }
+  }
+  EXPECT_EQ(implied, 2);
 }
 
 TEST(Settings, ErrorsNameTheirOrigin) {
