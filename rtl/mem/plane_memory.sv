@@ -53,6 +53,7 @@ module plane_memory #(
   localparam int unsigned TAG       = gnomon_pkg::GENERATION_BITS;
   localparam int unsigned DEPTH     = gnomon_pkg::DEPTH_FIELD_BITS;
   localparam int unsigned SLOT_BITS = gnomon_pkg::LINE_LOG2;
+  localparam int unsigned ENTRY     = DEPTH + 1;  // plane_entry_t
 
   logic                            scrubbing;
   logic [INDEX_BITS-SLOT_BITS-1:0] scrub_line;
@@ -70,7 +71,7 @@ module plane_memory #(
   // Port A reads for updates first, then for read port 0; port B writes back or scrubs first, then reads for port 1.
   logic [WORD-1:0]          a_word, b_word;
   gnomon_pkg::plane_entry_t a_entry, b_entry;
-  logic [DEPTH-1:0]    write_depth;
+  gnomon_pkg::plane_entry_t new_entry, write_entry;
   logic                     update_take, write, read0, read1, update_idle, read0_idle, read1_idle;
   logic [INDEX_BITS-1:0]    write_index, read0_index, read1_index, b_index;
 
@@ -91,7 +92,7 @@ module plane_memory #(
     .b_write_i     (write),
     .b_clear_line_i(scrubbing),
     .b_index_i     (b_index),
-    .b_word_i      ({generation, write_depth}),
+    .b_word_i      ({generation, write_entry.depth}),
     .b_word_o      (b_word)
   );
 
@@ -101,25 +102,37 @@ module plane_memory #(
   assign b_entry.present = b_word[DEPTH+:TAG] == generation;
   assign b_entry.depth   = b_word[DEPTH-1:0];
 
-  plane_update #(.INDEX_BITS(INDEX_BITS), .OPERAND_BITS(OPERAND_BITS), .READ_LATENCY(READ_LATENCY)) u_update (
+  // What an update writes is present.
+  logic                  modify_valid, unused_update;
+  logic [INDEX_BITS-1:0] modify_index;
+  assign new_entry.present = 1'b1;
+  assign new_entry.depth   = modify_depth_i;
+  plane_update #(
+    .INDEX_BITS(INDEX_BITS), .OPERAND_BITS(OPERAND_BITS), .WORD_BITS(ENTRY), .READ_LATENCY(READ_LATENCY)
+  ) u_update (
     .clk_i,
     .rst_ni,
-    .valid_i      (update_take),
-    .index_i      (update_index_i),
-    .operand_i    (update_operand_i),
-    .ram_entry_i  (a_entry),
-    .modify_entry_o,
+    .valid_i         (update_take),
+    .index_i         (update_index_i),
+    .operand_i       (update_operand_i),
+    .ram_word_i      (a_entry),
+    .modify_valid_o  (modify_valid),
+    .modify_index_o  (modify_index),
+    .modify_word_o   (modify_entry_o),
     .modify_operand_o,
     .modify_write_i,
-    .modify_depth_i,
-    .write_o      (write),
-    .write_index_o(write_index),
-    .write_depth_o(write_depth),
-    .idle_o       (update_idle)
+    .modify_word_i   (new_entry),
+    .write_o         (write),
+    .write_index_o   (write_index),
+    .write_word_o    (write_entry),
+    .idle_o          (update_idle)
   );
-  assign wrote_o = write;
+  assign wrote_o       = write;
+  assign unused_update = modify_valid ^ (^modify_index) ^ write_entry.present;
 
-  plane_read_port #(.INDEX_BITS(INDEX_BITS), .TAG_BITS(TAG0_BITS), .READ_LATENCY(READ_LATENCY)) u_read0 (
+  plane_read_port #(
+    .INDEX_BITS(INDEX_BITS), .TAG_BITS(TAG0_BITS), .ENTRY_BITS(ENTRY), .READ_LATENCY(READ_LATENCY)
+  ) u_read0 (
     .clk_i,
     .rst_ni,
     .request_valid_i (read0_valid_i),
@@ -137,7 +150,9 @@ module plane_memory #(
     .idle_o          (read0_idle)
   );
 
-  plane_read_port #(.INDEX_BITS(INDEX_BITS), .TAG_BITS(TAG1_BITS), .READ_LATENCY(READ_LATENCY)) u_read1 (
+  plane_read_port #(
+    .INDEX_BITS(INDEX_BITS), .TAG_BITS(TAG1_BITS), .ENTRY_BITS(ENTRY), .READ_LATENCY(READ_LATENCY)
+  ) u_read1 (
     .clk_i,
     .rst_ni,
     .request_valid_i (read1_valid_i),

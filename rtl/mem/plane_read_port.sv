@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Read port of the plane: {index, tag} in, {entry, tag} out, in order. The tag queue bounds the reads under way, so that
+// Read port of a memory: {index, tag} in, {entry, tag} out, in order. The tag queue bounds the reads under way, so that
 // the entry queue always has room for what the RAM brings.
 
 `include "assertions.svh"
@@ -7,29 +7,29 @@
 module plane_read_port #(
   parameter int unsigned INDEX_BITS   = 18,
   parameter int unsigned TAG_BITS     = 24,
+  parameter int unsigned ENTRY_BITS   = 25,
   parameter int unsigned READ_LATENCY = 1
 ) (
-  input  logic                     clk_i,
-  input  logic                     rst_ni,
-  input  logic                     request_valid_i,
-  output logic                     request_ready_o,
-  input  logic [INDEX_BITS-1:0]    request_index_i,
-  input  logic [TAG_BITS-1:0]      request_tag_i,
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+  input  logic                  request_valid_i,
+  output logic                  request_ready_o,
+  input  logic [INDEX_BITS-1:0] request_index_i,
+  input  logic [TAG_BITS-1:0]   request_tag_i,
   // Port of the RAM; `ram_free_i` says that it can be had in this cycle.
-  input  logic                     ram_free_i,
-  output logic                     ram_read_o,
-  output logic [INDEX_BITS-1:0]    ram_index_o,
-  input  gnomon_pkg::plane_entry_t ram_entry_i,
-  output logic                     response_valid_o,
-  input  logic                     response_ready_i,
-  output gnomon_pkg::plane_entry_t response_entry_o,
-  output logic [TAG_BITS-1:0]      response_tag_o,
-  output logic                     idle_o
+  input  logic                  ram_free_i,
+  output logic                  ram_read_o,
+  output logic [INDEX_BITS-1:0] ram_index_o,
+  input  logic [ENTRY_BITS-1:0] ram_entry_i,
+  output logic                  response_valid_o,
+  input  logic                  response_ready_i,
+  output logic [ENTRY_BITS-1:0] response_entry_o,
+  output logic [TAG_BITS-1:0]   response_tag_o,
+  output logic                  idle_o
 );
 
   // A read at one a cycle keeps READ_LATENCY in the RAM, one in the entry queue; two to spare.
   localparam int unsigned DEPTH_LOG2 = $clog2(READ_LATENCY + 3);
-  localparam int unsigned ENTRY_BITS = gnomon_pkg::DEPTH_FIELD_BITS + 1;
 
   logic tag_ready, tag_valid;
   stream_fifo #(.WIDTH(TAG_BITS), .DEPTH_LOG2(DEPTH_LOG2)) u_tags (
