@@ -68,6 +68,8 @@ package gnomon_pkg;
   localparam logic [7:0] RESULT_FENCE       = 8'h03;
   localparam logic [7:0] RESULT_PLANE_ENTRY = 8'h04;
   localparam logic [7:0] RESULT_VOXEL_STATE = 8'h11;
+  localparam logic [7:0] RESULT_SLB_ANSWER  = 8'h26;
+  localparam logic [7:0] RESULT_SLB_ENTRY   = 8'h27;
   localparam logic [7:0] RESULT_ERROR       = 8'hFF;
 
   localparam logic [7:0] ERROR_NONE           = 8'd0;
@@ -129,6 +131,27 @@ package gnomon_pkg;
     logic [15:0] zero;
     logic [31:0] command_index;
   } error_result_t;
+
+  typedef struct packed {
+    logic [7:0]  code;
+    logic        shadow;
+    logic        by_full;
+    logic        by_lines;
+    logic        has_fragment;
+    logic        overflow;
+    logic        off_plane;
+    logic [9:0]  zero_high;
+    logic [7:0]  object_id;
+    logic [15:0] zero_low;
+    logic [15:0] number;     // of the item in its command
+  } slb_answer_t;
+
+  typedef struct packed {
+    logic [7:0]  code;
+    logic [23:0] index;
+    logic [23:0] zero;
+    logic [7:0]  words;      // raw words that follow
+  } slb_entry_result_t;
 
   // ---- Plane ----
   // What the units see of an entry; the generation tag behind `present` stays in mem/.

@@ -45,6 +45,26 @@ package mutations_pkg;
 `else
   localparam bit SKID_OVERRUN = 1'b0;
 `endif
+`ifdef GNOMON_MUTATE_SLB_NO_ADJUST
+  localparam bit SLB_NO_ADJUST = 1'b1;  // an edge through a pixel corner crosses y first also where it rises to the right
+`else
+  localparam bit SLB_NO_ADJUST = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_SLB_LAST_OF_EQUAL
+  localparam bit SLB_LAST_OF_EQUAL = 1'b1;  // of equally good lines the last one is stored
+`else
+  localparam bit SLB_LAST_OF_EQUAL = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_SLB_EVICT_EARLIER
+  localparam bit SLB_EVICT_EARLIER = 1'b1;  // of equally far groups the earlier is evicted
+`else
+  localparam bit SLB_EVICT_EARLIER = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_SLB_OPEN_HALF_PLANE
+  localparam bit SLB_OPEN_HALF_PLANE = 1'b1;  // a point on a line is outside of its inner side
+`else
+  localparam bit SLB_OPEN_HALF_PLANE = 1'b0;
+`endif
 
 endpackage
 /* verilator lint_on UNUSEDPARAM */

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples of COVER on their way to the plane: those off it, or in a row that FILL did not sweep, end here. One register
+// stage, one sample a cycle.
+
+`include "assertions.svh"
+
+module slb_cover_stage #(
+  parameter int unsigned DEPTH_BITS = 20,
+  parameter int unsigned PLANE_LOG2 = 8
+) (
+  input  logic                    clk_i,
+  input  logic                    rst_ni,
+  input  logic                    item_valid_i,
+  output logic                    item_ready_o,
+  input  logic [63:0]             item_i,
+  input  logic [DEPTH_BITS-1:0]   margin_i,      // of the item's command
+  // Rows swept.
+  input  logic                    touched_i,
+  input  logic [PLANE_LOG2-1:0]   first_row_i,
+  input  logic [PLANE_LOG2-1:0]   last_row_i,
+  output logic                    valid_o,
+  input  logic                    ready_i,
+  output logic [2*PLANE_LOG2-1:0] index_o,
+  output logic                    facing_o,
+  output logic [DEPTH_BITS-1:0]   depth_o,
+  output logic [DEPTH_BITS-1:0]   margin_o
+);
+
+  localparam int unsigned P = PLANE_LOG2;
+  localparam int unsigned C = PLANE_LOG2 + 2;
+  localparam int unsigned D = DEPTH_BITS;
+
+  logic [C-1:0] column, row;
+  logic         on_plane, swept, valid_q;
+  assign {row, column} = item_i[2*C-1:0];
+  assign on_plane      = row[C-1:P] == '0 && column[C-1:P] == '0;
+  assign swept         = touched_i && row[P-1:0] >= first_row_i && row[P-1:0] <= last_row_i;
+
+  assign item_ready_o = !valid_q || ready_i;
+  assign valid_o      = valid_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni)           valid_q <= 1'b0;
+    else if (item_ready_o) valid_q <= item_valid_i && on_plane && swept;
+  end
+  always_ff @(posedge clk_i) begin
+    if (item_ready_o) begin
+      index_o  <= {row[P-1:0], column[P-1:0]};
+      depth_o  <= item_i[2*C+:D];
+      facing_o <= item_i[2*C+D];
+      margin_o <= margin_i;
+    end
+  end
+
+  logic unused_item;
+  if (2 * C + D + 1 < 64) begin : gen_unused_item
+    assign unused_item = ^item_i[63:2*C+D+1];
+  end else begin : gen_whole_item
+    assign unused_item = 1'b0;
+  end
+
+  `GNOMON_ASSERT_STREAM(a_output_stable, valid_o, ready_i, {index_o, facing_o, depth_o, margin_o})
+
+endmodule
