@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real numbers, rounded where the page says so.
+#include "reference.hpp"
+
+#include <algorithm>
+
+namespace gnomon::test {
+namespace {
+
+namespace topology = golden::topology;
+
+Rational power_of_two(int exponent) {
+  const Integer magnitude = Integer(1) << (exponent < 0 ? -exponent : exponent);
+  return exponent < 0 ? Rational(Integer(1), magnitude) : Rational(magnitude);
+}
+Rational dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Point minus(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Twice the signed area that two corners span with the beam.
+Rational area(const Point& start, const Point& a, const Point& b) {
+  return (a[0] - start[0]) * (b[1] - start[1]) - (a[1] - start[1]) * (b[0] - start[0]);
+}
+
+}  // namespace
+
+Integer floor(const Rational& x) {
+  const Integer n = numerator(x), d = denominator(x);
+  const Integer quotient = n / d;
+  return n < 0 && quotient * d != n ? quotient - 1 : quotient;
+}
+
+Rational floor_to(const Rational& x, int bits) {
+  return Rational(floor(x * power_of_two(bits))) * power_of_two(-bits);
+}
+
+bool paper_hit(const Point& start, const Point& v0, const Point& v1, const Point& v2) {
+  const Point u = minus(v1, v0), v = minus(v2, v0);
+  const Point normal = cross(u, v);
+  if (normal[2] == 0) return false;  // the beam is parallel to the plane, or there is none
+  const Rational distance = dot(normal, minus(start, v0)) / normal[2];  // towards smaller depth
+  if (distance <= 0) return false;
+  const Point meeting = {start[0], start[1], start[2] - distance};
+  const Point w = minus(meeting, v0);
+  const Rational uv = dot(u, v), uu = dot(u, u), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
+  const Rational below = uv * uv - uu * vv;
+  const Rational s = (uv * wv - vv * wu) / below;
+  const Rational t = (uv * wu - uu * wv) / below;
+  return s >= 0 && t >= 0 && s + t <= 1;
+}
+
+bool light_space_hit(const Point& start, const Point& v0, const Point& v1, const Point& v2) {
+  const std::array<Rational, 3> w = {area(start, v1, v2), area(start, v2, v0), area(start, v0, v1)};
+  const Rational whole = w[0] + w[1] + w[2];
+  if (whole == 0) return false;
+  const int sign = whole > 0 ? 1 : -1;
+  for (const Rational& x : w)
+    if (x * sign < 0) return false;
+  return (w[0] * (v0[2] - start[2]) + w[1] * (v1[2] - start[2]) + w[2] * (v2[2] - start[2])) * sign < 0;
+}
+
+Rational TopologyReference::row(std::size_t first, const std::array<Rational, 3>& at,
+                                int fraction_bits) const {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += Rational(registers_.matrix[first + i]) * power_of_two(-fraction_bits) * at[i];
+  return sum;
+}
+
+Rational TopologyReference::saturated(const Rational& depth) const {
+  return std::clamp(depth, Rational(0), Rational(config_.no_depth()) - 1);
+}
+
+bool TopologyReference::Quad::meets(const Integer& u, const Integer& v) const {
+  return u0 <= u && u <= u1 && v0 <= v && v <= v1;
+}
+
+bool TopologyReference::Quad::linked_to(const Integer& u, const Integer& v) const {
+  return meets(u, v) && (v - v0) * (u1 - u0 + 1) + (u - u0) < linked;
+}
+
+void TopologyReference::put(const std::array<topology::Item, 4>& items) {
+  const int f = config_.matrix_frac_bits, depth_bits = config_.position_bits() + 4;
+  const Rational limit = power_of_two(config_.plane_log2 + 1);
+  Quad quad{};
+  quad.number = numbered_++;
+  std::array<std::vector<Integer>, 2> entries;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::array<Rational, 3> at = {items[i].position[0], items[i].position[1], items[i].position[2]};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Rational real =
+          row(4 * axis, at, f) + Rational(registers_.matrix[4 * axis + 3]) * power_of_two(-f);
+      const Rational held =
+          std::clamp(floor_to(real, config_.sub_bits), -limit, limit - power_of_two(-config_.sub_bits));
+      quad.corners[i][axis] = held * power_of_two(config_.sub_bits);
+      entries[axis].push_back(floor(held));
+    }
+    const Rational depth =
+        row(8, at, depth_bits) + Rational(registers_.matrix[11]) * power_of_two(-depth_bits);
+    quad.corners[i][2] = saturated(Rational(floor(depth)));
+    quad.far = std::max(quad.far, floor(quad.corners[i][2]));
+  }
+  const auto [u0, u1] = std::minmax_element(entries[0].begin(), entries[0].end());
+  const auto [v0, v1] = std::minmax_element(entries[1].begin(), entries[1].end());
+  const Integer span = Integer(1) << config_.span_log2, last = config_.side() - 1;
+  const bool storable =
+      *u1 - *u0 < span && *v1 - *v0 < span && quad.number < (std::uint64_t{1} << config_.quads_log2);
+  quad.u0 = std::max(*u0, Integer(0));
+  quad.v0 = std::max(*v0, Integer(0));
+  quad.u1 = std::min(*u1, last);
+  quad.v1 = std::min(*v1, last);
+  if (quad.u0 > quad.u1 || quad.v0 > quad.v1) return;
+  const auto size = static_cast<std::uint64_t>((quad.u1 - quad.u0 + 1) * (quad.v1 - quad.v0 + 1));
+  quad.linked = storable ? std::min(size, (std::uint64_t{1} << config_.nodes_log2) - nodes_) : 0;
+  nodes_ += quad.linked;
+  quads_.push_back(quad);
+}
+
+topology::ListHead TopologyReference::head(std::int64_t u, std::int64_t v) const {
+  topology::ListHead head;
+  Integer near = config_.no_depth();
+  for (const Quad& q : quads_) {
+    if (!q.meets(u, v)) continue;
+    head.present = true;
+    near = std::min(near, q.far);
+    (q.linked_to(u, v) ? head.linked : head.dropped) = true;
+  }
+  if (head.present) head.near = static_cast<std::uint32_t>(near);
+  return head;
+}
+
+std::vector<std::uint32_t> TopologyReference::list(std::int64_t u, std::int64_t v) const {
+  std::vector<std::uint32_t> numbers;
+  for (auto q = quads_.rbegin(); q != quads_.rend(); ++q)
+    if (q->linked_to(u, v)) numbers.push_back(q->number);
+  return numbers;
+}
+
+topology::TopologyResult TopologyReference::resolve(const topology::Item& voxel, bool two_sided,
+                                                    std::uint32_t clearance, bool sorted) const {
+  topology::TopologyResult result;
+  const int f = config_.matrix_frac_bits, p = config_.position_bits(), depth_bits = p + 4;
+  std::array<Rational, 3> at, normal;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] = voxel.position[i];
+    normal[i] = voxel.normal[i];
+  }
+  if (two_sided && row(8, normal, depth_bits) > 0)
+    for (Rational& n : normal) n = -n;
+  const Rational descent = row(8, normal, depth_bits);
+  if (descent >= 0) {
+    result.facing_away = result.shadow = true;
+    return result;
+  }
+  const Rational factor = Rational(registers_.offset_factor) * power_of_two(-16);
+  Point beam;
+  bool on_plane = true;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Rational real = row(4 * axis, at, f) + Rational(registers_.matrix[4 * axis + 3]) * power_of_two(-f);
+    const Rational moved = floor_to(real + floor_to(factor * row(4 * axis, normal, f), f), config_.sub_bits);
+    on_plane = on_plane && moved >= 0 && moved < config_.side();
+    beam[axis] = moved * power_of_two(config_.sub_bits);
+  }
+  result.off_plane = !on_plane;
+  if (!on_plane) return result;
+  const Rational depth = row(8, at, depth_bits) + Rational(registers_.matrix[11]) * power_of_two(-depth_bits);
+  beam[2] = saturated(Rational(floor(floor_to(depth, 4) + floor_to(factor * floor_to(descent, 4), 4))));
+
+  const Integer u = floor(beam[0] * power_of_two(-config_.sub_bits));
+  const Integer v = floor(beam[1] * power_of_two(-config_.sub_bits));
+  bool dropped = false;
+  for (const Quad& q : quads_) {
+    if (!q.meets(u, v)) continue;
+    dropped = dropped || !q.linked_to(u, v);
+    result.uncertain = result.uncertain || Rational(q.far + clearance) < beam[2];
+  }
+  if (!result.uncertain) return result;
+  for (auto q = quads_.rbegin(); q != quads_.rend() && !result.hit; ++q) {
+    if (!q->linked_to(u, v)) continue;
+    ++result.visited;
+    if (Rational(q->far + clearance) >= beam[2]) {
+      if (sorted) break;
+      continue;
+    }
+    ++result.tested;
+    // The published form, with the depths that the page leaves out.
+    const auto& c = q->corners;
+    result.hit = paper_hit(beam, c[0], c[1], c[2]) || paper_hit(beam, c[0], c[2], c[3]);
+    if (result.hit) result.quad = q->number;
+  }
+  result.fallback = !result.hit && dropped;
+  result.shadow = result.hit || result.fallback;
+  return result;
+}
+
+}  // namespace gnomon::test
