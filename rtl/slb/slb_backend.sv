@@ -138,20 +138,20 @@ module slb_backend #(
   );
 
   // ---- COVER ----
-  logic             sample_valid, sample_ready, sample_facing;
+  logic             sample_valid, sample_ready;
   logic [INDEX-1:0] sample_index;
-  logic [D-1:0]     sample_depth, sample_margin;
+  logic [D-1:0]     sample_depth, sample_front, sample_margin;
   slb_cover_stage #(.DEPTH_BITS(D), .PLANE_LOG2(P)) u_samples (
     .clk_i, .rst_ni, .item_valid_i(cover_valid_i), .item_ready_o(cover_ready_o), .item_i, .margin_i(level_q),
     .touched_i(touched), .first_row_i(first_row), .last_row_i(last_row), .valid_o(sample_valid),
-    .ready_i(sample_ready), .index_o(sample_index), .facing_o(sample_facing), .depth_o(sample_depth),
+    .ready_i(sample_ready), .index_o(sample_index), .depth_o(sample_depth), .front_o(sample_front),
     .margin_o(sample_margin)
   );
 
   // ---- Updates: chains, FILL and COVER never at the same time; each kind has its fields in the operand ----
   localparam int unsigned PUT     = D + 2 + 3 * LINE + 2;
   localparam int unsigned FILL    = WINDING + 2 * SLOTS;
-  localparam int unsigned SAMPLE  = 2 * D + 1;
+  localparam int unsigned SAMPLE  = 3 * D;
   localparam int unsigned FIELDS  = gnomon_pkg::max_of(gnomon_pkg::max_of(PUT, FILL), SAMPLE);
   localparam int unsigned OPERAND = 2 + FIELDS;
   logic               update_valid, update_ready, update_gated, update_granted, update_line;
@@ -172,7 +172,7 @@ module slb_backend #(
     end else if (sample_valid) begin
       update_index  = sample_index;
       update_kind   = slb_pkg::UPDATE_COVER;
-      update_fields = FIELDS'({sample_facing, sample_margin, sample_depth});
+      update_fields = FIELDS'({sample_front, sample_margin, sample_depth});
     end else begin
       update_index  = put_index;
       update_kind   = slb_pkg::UPDATE_INSERT;
@@ -255,7 +255,7 @@ module slb_backend #(
     .a_i(modify_operand[D+2+:LINE]), .b_i(modify_operand[D+2+LINE+:LINE]),
     .join_i(modify_operand[D+2+2*LINE+:LINE]), .contains_i(modify_operand[D+2+3*LINE]),
     .corner_i(modify_operand[D+3+3*LINE]), .winding_i(modify_operand[0+:WINDING]),
-    .facing_i(modify_operand[2*D]), .margin_i(modify_operand[D+:D]), .covered_i(modify_operand[WINDING+:SLOTS]),
+    .front_i(modify_operand[2*D+:D]), .margin_i(modify_operand[D+:D]), .covered_i(modify_operand[WINDING+:SLOTS]),
     .write_o(modify_write), .word_o(new_word), .line_write_o(line_write), .line_depth_o(line_depth),
     .dropped_o(events_o.chain_dropped), .reduced_o(events_o.chain_reduced), .evicted_o(events_o.group_evicted),
     .filled_group_o(events_o.fill_group), .filled_pixels_o(events_o.fill_pixels),

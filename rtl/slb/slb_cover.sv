@@ -12,8 +12,8 @@ module slb_cover #(
   input  logic [ENTRY-1:0]      entry_i,
   input  logic                  covered_i,  // of the pixel, from FILL
   input  logic                  rim_i,
-  input  logic [DEPTH_BITS-1:0] depth_i,    // of the sample
-  input  logic                  facing_i,
+  input  logic [DEPTH_BITS-1:0] front_i,    // of the sample: the range of its sheet in the pixel
+  input  logic [DEPTH_BITS-1:0] depth_i,
   input  logic [DEPTH_BITS-1:0] margin_i,
   output logic [ENTRY-1:0]      entry_o,
   output logic                  used_o
@@ -46,13 +46,16 @@ module slb_cover #(
     .depth_o(rim_depth), .chains_o(chains)
   );
 
-  // D + 1 bits: the sum does not wrap.
-  logic behind_rim;
-  assign behind_rim = (D + 1)'(depth_i) > (D + 1)'(rim_depth) + (D + 1)'(margin_i);
-  assign used_o     = covered_i || (rim_i && facing_i && behind_rim);
-  assign entry_o    = {fragments, (used_o && depth_i < full_depth) ? depth_i : full_depth, low};
+  // Fragments whose depth lies in the sheet's range. D + 1 bits: the sums do not wrap.
+  logic [K-1:0] touched;
+  for (genvar i = 0; i < K; i++) begin : gen_touched
+    assign touched[i] = member[i] && (D + 1)'(front_i) <= (D + 1)'(depth[i*D+:D]) + (D + 1)'(margin_i) &&
+                        (D + 1)'(depth[i*D+:D]) <= (D + 1)'(depth_i) + (D + 1)'(margin_i);
+  end
+  assign used_o  = covered_i && (!rim_i || touched == '0 || full_depth == '1);
+  assign entry_o = {fragments, (used_o && depth_i < full_depth) ? depth_i : full_depth, low};
 
   logic unused_group;
-  assign unused_group = ^{member, first, chains};
+  assign unused_group = ^{first, chains, rim_depth};
 
 endmodule

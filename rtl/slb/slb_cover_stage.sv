@@ -21,8 +21,8 @@ module slb_cover_stage #(
   output logic                    valid_o,
   input  logic                    ready_i,
   output logic [2*PLANE_LOG2-1:0] index_o,
-  output logic                    facing_o,
-  output logic [DEPTH_BITS-1:0]   depth_o,
+  output logic [DEPTH_BITS-1:0]   depth_o,       // the farthest that the sheet reaches in the pixel
+  output logic [DEPTH_BITS-1:0]   front_o,       // nowhere nearer
   output logic [DEPTH_BITS-1:0]   margin_o
 );
 
@@ -36,6 +36,12 @@ module slb_cover_stage #(
   assign on_plane      = row[C-1:P] == '0 && column[C-1:P] == '0;
   assign swept         = touched_i && row[P-1:0] >= first_row_i && row[P-1:0] <= last_row_i;
 
+  // Saturating at 0; 2^range - 1 has up to 31 bits.
+  logic [30:0] depth, reach, front;
+  assign depth = 31'(item_i[2*C+:D]);
+  assign reach = ~({31{1'b1}} << item_i[2*C+D+:slb_pkg::RANGE_BITS]);
+  assign front = (depth > reach) ? depth - reach : '0;
+
   assign item_ready_o = !valid_q || ready_i;
   assign valid_o      = valid_q;
   always_ff @(posedge clk_i) begin
@@ -46,18 +52,14 @@ module slb_cover_stage #(
     if (item_ready_o) begin
       index_o  <= {row[P-1:0], column[P-1:0]};
       depth_o  <= item_i[2*C+:D];
-      facing_o <= item_i[2*C+D];
+      front_o  <= front[D-1:0];
       margin_o <= margin_i;
     end
   end
 
   logic unused_item;
-  if (2 * C + D + 1 < 64) begin : gen_unused_item
-    assign unused_item = ^item_i[63:2*C+D+1];
-  end else begin : gen_whole_item
-    assign unused_item = 1'b0;
-  end
+  assign unused_item = ^{item_i[63:2*C+D+slb_pkg::RANGE_BITS], front[30:D]};
 
-  `GNOMON_ASSERT_STREAM(a_output_stable, valid_o, ready_i, {index_o, facing_o, depth_o, margin_o})
+  `GNOMON_ASSERT_STREAM(a_output_stable, valid_o, ready_i, {index_o, depth_o, front_o, margin_o})
 
 endmodule

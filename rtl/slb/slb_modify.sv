@@ -32,7 +32,7 @@ module slb_modify #(
   input  logic                            contains_i,
   input  logic                            corner_i,
   input  logic signed [WINDING-1:0]       winding_i,
-  input  logic                            facing_i,
+  input  logic [DEPTH_BITS-1:0]           front_i,       // of the sample
   input  logic [DEPTH_BITS-1:0]           margin_i,
   input  logic [SLOTS-1:0]                covered_i,     // slots of a line
   output logic                            write_o,
@@ -83,7 +83,7 @@ module slb_modify #(
   slb_cover #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(DEPTH_BITS)
   ) u_cover (
-    .entry_i(entry), .covered_i(covered), .rim_i(rim), .depth_i, .facing_i, .margin_i, .entry_o(lowered_entry),
+    .entry_i(entry), .covered_i(covered), .rim_i(rim), .front_i, .depth_i, .margin_i, .entry_o(lowered_entry),
     .used_o(used)
   );
 

@@ -6,6 +6,7 @@
 package slb_pkg;
 
   localparam int unsigned OBJECT_BITS = 8;
+  localparam int unsigned RANGE_BITS  = 5;  // of a sample of COVER
   localparam int unsigned CORNER_BITS = 6;
   localparam int unsigned CHANGE_BITS = 8;  // dw and carry
 

@@ -117,7 +117,7 @@ Word encode(const CoverSample& sample, const SlbConfig& config) {
       .put_signed(sample.column, width)
       .put_signed(sample.row, width)
       .put_unsigned(sample.depth, config.depth_bits)
-      .put_unsigned(sample.facing ? 1 : 0, 1)
+      .put_unsigned(sample.range, kRangeBits)
       .word();
 }
 
@@ -127,7 +127,7 @@ CoverSample decode_cover(Word word, const SlbConfig& config) {
   sample.column = fields.take_signed(config.plane_log2 + 2);
   sample.row = fields.take_signed(config.plane_log2 + 2);
   sample.depth = fields.take_unsigned(config.depth_bits);
-  sample.facing = fields.take_unsigned(1) != 0;
+  sample.range = fields.take_unsigned(kRangeBits);
   return sample;
 }
 

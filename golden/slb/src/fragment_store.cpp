@@ -152,12 +152,15 @@ FragmentStore::Finish FragmentStore::finish(int column, int row, int winding, bo
   return result;
 }
 
-bool FragmentStore::behind_last_group(int column, int row, std::uint32_t depth, std::uint32_t margin) const {
+bool FragmentStore::is_full(int column, int row, std::uint32_t front, std::uint32_t depth,
+                            std::uint32_t margin) const {
   const Entry entry = load(index(column, row));
-  std::uint32_t group_depth = 0;
-  for (int i = entry.last_group(); i < entry.count; ++i)
-    group_depth = std::max(group_depth, entry.fragments[static_cast<std::size_t>(i)].depth);
-  return depth > std::uint64_t{group_depth} + margin;
+  if (entry.full_depth == config_.no_depth()) return true;
+  for (int i = entry.last_group(); i < entry.count; ++i) {
+    const std::uint64_t rim = entry.fragments[static_cast<std::size_t>(i)].depth;
+    if (front <= rim + margin && rim <= std::uint64_t{depth} + margin) return false;
+  }
+  return true;
 }
 
 void FragmentStore::lower_full_depth(int column, int row, std::uint32_t depth) {

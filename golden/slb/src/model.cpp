@@ -156,9 +156,10 @@ void SlbModel::cover(const CoverSample& sample, std::uint32_t margin) {
   if (!on_plane(sample.column, sample.row)) return;
   const int column = static_cast<int>(sample.column), row = static_cast<int>(sample.row);
   const Winding::Result pixel = winding_.result(column, row);
-  const bool behind_rim =
-      pixel.rim && sample.facing && store_.behind_last_group(column, row, sample.depth, margin);
-  if (!pixel.covered && !behind_rim) return;
+  if (!pixel.covered) return;
+  const std::uint64_t reach = (std::uint64_t{1} << sample.range) - 1;
+  const auto front = static_cast<std::uint32_t>(sample.depth - std::min<std::uint64_t>(reach, sample.depth));
+  if (pixel.rim && !store_.is_full(column, row, front, sample.depth, margin)) return;
   ++counters_.covers_used;
   store_.lower_full_depth(column, row, sample.depth);
 }

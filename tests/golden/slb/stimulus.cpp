@@ -27,11 +27,7 @@ class Generator {
     if (random_.integer(0, 5) == 0) add(SlbOp::Clear, 0, 0, {});
     if (random_.integer(0, 1) == 0) object(1);
     queries(options_.queries / 4);
-    if (options_.read_back) {
-      const std::int64_t last =
-          std::min<std::int64_t>(std::int64_t{config_.side()} * config_.side(), 256) - 1;
-      add(SlbOp::ReadEntries, 0, static_cast<std::uint32_t>(last << 24), {});
-    }
+    if (options_.read_back) read_back();
     return std::move(commands_);
   }
 
@@ -61,6 +57,20 @@ class Generator {
         commands_.push_back({code(kMisplaced[random_.integer(0, 3)]), 0, 0, {}});
         break;
     }
+  }
+
+  void read_back() {
+    const std::int64_t side = config_.side(), entries = side * side;
+    const std::int64_t count = std::min<std::int64_t>(entries, random_.integer(1, 256));
+    std::int64_t first = 0;
+    if (!places_.empty()) {
+      const Vertex& v = places_[static_cast<std::size_t>(
+          random_.integer(0, static_cast<std::int64_t>(places_.size()) - 1))];
+      first = (v.y >> config_.subpixel_bits) * side + (v.x >> config_.subpixel_bits) - count / 2;
+    }
+    first = std::clamp<std::int64_t>(first, 0, entries - count);
+    add(SlbOp::ReadEntries, 0,
+        encode(EntryRange{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)}), {});
   }
 
   std::uint32_t depth() {
@@ -166,7 +176,7 @@ class Generator {
     for (std::int64_t i = random_.integer(0, 60); i > 0; --i)
       items.push_back(
           encode(CoverSample{random_.integer(-2, config_.side() + 1), random_.integer(-2, config_.side() + 1),
-                             depth(), random_.integer(0, 1) == 0},
+                             depth(), static_cast<std::uint32_t>(random_.integer(0, 8))},
                  config_));
     add(SlbOp::Cover, 0, static_cast<std::uint32_t>(random_.integer(0, 50)), std::move(items));
   }

@@ -171,55 +171,78 @@ TEST(Depth, AGroupIsAsFarAsItsFarthestChain) {
   EXPECT_TRUE(shadow(model, 3.1, 3.5, 91));
 }
 
-TEST(Cover, SamplesCountWhereTheObjectCoversOrBehindItsRim) {
+TEST(Cover, SamplesCountWhereTheObjectCovers) {
   const SlbConfig config = plane(2);
   SlbModel model(config);
   model.begin_object(1, false, 0);
   model.loop(quad(1.5, 1.5, 5.5, 5.5, config, 40));
-  EXPECT_THROW(model.cover({3, 3, 50, true}, 0), std::logic_error);
+  EXPECT_THROW(model.cover({3, 3, 50, 0}, 0), std::logic_error);
   model.fill();
   EXPECT_EQ(model.entry(3, 3).full_depth, config.no_depth()) << "coverage alone has no depth";
-  model.cover({3, 3, 50, false}, 0);  // covered: counts
-  model.cover({3, 3, 60, true}, 0);   // farther: no change
-  model.cover({1, 3, 45, true}, 5);   // on the rim, within the margin
-  model.cover({1, 4, 46, true}, 5);   // behind it
-  model.cover({1, 2, 99, false}, 5);  // behind it, but facing away
-  model.cover({7, 3, 50, true}, 0);   // outside
-  model.cover({-1, 3, 50, true}, 0);  // off the plane
+  model.cover({3, 3, 50, 3}, 0);   // covered: counts
+  model.cover({3, 3, 60, 0}, 0);   // farther: no change
+  model.cover({1, 4, 99, 0}, 5);   // on the rim: no sheet fills this pixel
+  model.cover({7, 3, 50, 0}, 0);   // outside
+  model.cover({-1, 3, 50, 0}, 0);  // off the plane
   model.end_object();
   EXPECT_EQ(model.entry(3, 3).full_depth, 50u);
-  EXPECT_EQ(model.entry(1, 3).full_depth, config.no_depth());
-  EXPECT_EQ(model.entry(1, 4).full_depth, 46u);
-  EXPECT_EQ(model.entry(1, 2).full_depth, config.no_depth());
+  EXPECT_EQ(model.entry(1, 4).full_depth, config.no_depth());
   EXPECT_EQ(model.entry(7, 3).full_depth, config.no_depth());
-  EXPECT_EQ(model.counters().covers, 7u);
-  EXPECT_EQ(model.counters().covers_used, 3u);
+  EXPECT_EQ(model.counters().covers, 5u);
+  EXPECT_EQ(model.counters().covers_used, 2u);
   // Another object, elsewhere: the first one's coverage does not count for it.
   model.begin_object(2, false, 0);
   model.loop(quad(6, 6.2, 7.5, 7.6, config, 40));
   model.fill();
-  model.cover({3, 3, 1, true}, 0);
+  model.cover({3, 3, 1, 0}, 0);
   model.end_object();
   EXPECT_EQ(model.entry(3, 3).full_depth, 50u);
 }
 
-TEST(Cover, OverlappingSheetsKeepTheirLinesAndCover) {
-  // One sheet covers the pixel, another ends in it.
-  const SlbConfig config = plane(2);
-  SlbModel model(config);
-  model.begin_object(1, false, 0);
-  model.loop(quad(1, 1, 6, 6, config, 90));
-  model.loop(quad(3.2, 1, 5.5, 6, config, 10));
-  model.fill();
-  model.cover({3, 3, 95, false}, 0);
-  model.end_object();
-  const Entry entry = model.entry(3, 3);
+/// One sheet covers the pixels, another ends in those of column 3, at depth 40.
+class OverlappingSheets : public ::testing::Test {
+ protected:
+  OverlappingSheets() : config_(plane(2)), model_(config_) {
+    model_.begin_object(1, false, 0);
+    model_.loop(quad(1, 1, 6, 6, config_, 90));
+    model_.loop(quad(3.2, 1, 5.5, 6, config_, 40));
+    model_.fill();
+  }
+  std::uint32_t full_depth_after(const CoverSample& sample, std::uint32_t margin) {
+    model_.cover(sample, margin);
+    return model_.entry(static_cast<int>(sample.column), static_cast<int>(sample.row)).full_depth;
+  }
+  SlbConfig config_;
+  SlbModel model_;
+};
+
+TEST_F(OverlappingSheets, KeepTheirLinesAndCover) {
+  model_.cover({3, 3, 95, 2}, 0);
+  model_.cover({3, 3, 42, 3}, 0);  // the near sheet ends here
+  model_.end_object();
+  const Entry entry = model_.entry(3, 3);
   EXPECT_EQ(entry.count, 1);
   EXPECT_EQ(entry.fragments[0].threshold_m1, 0);
   EXPECT_EQ(entry.full_depth, 95u);
-  EXPECT_TRUE(shadow(model, 3.6, 3.5, 11)) << "the near sheet by its line";
-  EXPECT_FALSE(shadow(model, 3.1, 3.5, 95));
-  EXPECT_TRUE(shadow(model, 3.1, 3.5, 96)) << "the far sheet by its full depth";
+  EXPECT_TRUE(shadow(model_, 3.6, 3.5, 41)) << "the near sheet by its line";
+  EXPECT_FALSE(shadow(model_, 3.1, 3.5, 95));
+  EXPECT_TRUE(shadow(model_, 3.1, 3.5, 96)) << "the far sheet by its full depth";
+}
+
+TEST_F(OverlappingSheets, OnlyTheSheetThatEndsHereDoesNotCount) {
+  EXPECT_EQ(full_depth_after({3, 3, 95, 2}, 0), 95u);
+  EXPECT_EQ(full_depth_after({3, 3, 42, 2}, 0), 95u) << "39..42 holds the contour's 40";
+  EXPECT_EQ(full_depth_after({3, 3, 40, 0}, 0), 95u);
+  EXPECT_EQ(full_depth_after({3, 3, 39, 5}, 1), 95u) << "and so does 8..39 with a margin of 1";
+  EXPECT_EQ(full_depth_after({3, 3, 43, 1}, 2), 95u) << "and 42..43 with one of 2";
+  EXPECT_EQ(full_depth_after({3, 3, 43, 1}, 1), 43u) << "but not with one of 1";
+  EXPECT_EQ(full_depth_after({3, 3, 39, 5}, 0), 39u) << "nearer than the contour: it hides it";
+  EXPECT_EQ(full_depth_after({3, 3, 3, 31}, 0), 3u) << "the front stops at 0";
+  EXPECT_EQ(full_depth_after({4, 3, 40, 3}, 9), 40u) << "no contour, no doubt";
+}
+
+TEST_F(OverlappingSheets, WithoutAnotherSheetTheOneThatEndsHereCounts) {
+  EXPECT_EQ(full_depth_after({3, 4, 42, 3}, 0), 42u);
 }
 
 TEST(Clear, GenerationsNeverShowOldEntries) {

@@ -46,10 +46,10 @@ TEST(Unit, ItemsKeepEveryField) {
       const QueryPoint back = decode_query(encode(point, config), config);
       EXPECT_TRUE(back.x == point.x && back.y == point.y && back.depth == point.depth);
       const CoverSample sample{random.integer(-cells, cells - 1), random.integer(-cells, cells - 1), depth,
-                               i % 2 == 0};
+                               static_cast<std::uint32_t>(i % 32)};
       const CoverSample cover = decode_cover(encode(sample, config), config);
       EXPECT_TRUE(cover.column == sample.column && cover.row == sample.row && cover.depth == depth &&
-                  cover.facing == sample.facing);
+                  cover.range == sample.range);
     }
     EXPECT_THROW(encode(Vertex{limit, 0, 0}, config), std::out_of_range);
     EXPECT_THROW(encode(QueryPoint{0, -query_limit - 1, 0}, config), std::out_of_range);

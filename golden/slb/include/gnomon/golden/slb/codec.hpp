@@ -24,6 +24,8 @@ inline constexpr std::uint8_t kFirstSlbOp = 0x20, kLastSlbOp = 0x27;
 inline constexpr std::uint8_t kBeginFlat = 0x01;  ///< flag of BeginObject
 inline constexpr std::uint8_t kLoopMore = 0x01;   ///< flag of Loop
 
+inline constexpr int kRangeBits = 5;  ///< of CoverSample::range
+
 inline constexpr std::uint32_t kStickyLineOverflow = 1u << 8;
 inline constexpr std::uint32_t kStickyObjectOverflow = 1u << 9;
 inline constexpr std::uint32_t kStickyWindingSaturated = 1u << 10;

@@ -38,8 +38,8 @@ class FragmentStore {
   /// `keep_lines`: a wholly covered pixel keeps its lines (curved casters).
   Finish finish(int column, int row, int winding, bool keep_lines);
 
-  /// `depth` lies deeper than the last group by more than `margin`.
-  bool behind_last_group(int column, int row, std::uint32_t depth, std::uint32_t margin) const;
+  /// In a pixel with a rim: whether a sheet that reaches from `front` to `depth` counts as full.
+  bool is_full(int column, int row, std::uint32_t front, std::uint32_t depth, std::uint32_t margin) const;
   void lower_full_depth(int column, int row, std::uint32_t depth);
 
  private:

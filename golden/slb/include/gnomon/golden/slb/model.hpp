@@ -52,11 +52,11 @@ struct SlbSticky {
   bool operator==(const SlbSticky&) const = default;
 };
 
-/// A sample of a surface for COVER: plane pixel, depth, and whether its surface faces the light.
+/// A sample of a surface for COVER: one sheet in one pixel of the plane, the farthest that it reaches there.
 struct CoverSample {
   std::int64_t column = 0, row = 0;
   std::uint32_t depth = 0;
-  bool facing = true;
+  std::uint32_t range = 0;  ///< 0..31: nowhere in the pixel is it nearer than depth - (2^range - 1)
 };
 
 /// Calls out of order (a loop without an object, a query inside one) throw std::logic_error.
