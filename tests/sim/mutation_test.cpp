@@ -75,6 +75,8 @@ TEST(Mutations, AllThatTheRtlOffersAreTested) {
        std::filesystem::recursive_directory_iterator(Toolchain::from_environment().rtl_dir)) {
     if (file.path().extension() == ".sv") found.merge(mutations_in(read_file(file.path())));
   }
+  // tests/rtl/slb notices those of the silhouette-line buffer, part by part.
+  std::erase_if(found, [](const std::string& name) { return name.starts_with("GNOMON_MUTATE_SLB_"); });
   EXPECT_EQ(found, std::set<std::string>(kMutations.begin(), kMutations.end()));
 }
 
