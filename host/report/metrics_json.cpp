@@ -41,10 +41,19 @@ Json parameters_json(const RunRecord& record) {
 }
 
 Json hardware_json(const golden::HardwareConfig& c) {
-  return {{"VOXEL_BITS", c.voxel_bits},      {"VOXEL_FRAC_BITS", c.voxel_frac_bits},
-          {"NORMAL_BITS", c.normal_bits},    {"MATRIX_FRAC_BITS", c.matrix_frac_bits},
-          {"DEPTH_BITS", c.depth_bits},      {"PLANE_LOG2", c.plane_log2},
-          {"EN_VPU_OFFSET", c.en_vpu_offset}};
+  Json json = {{"VOXEL_BITS", c.voxel_bits},       {"VOXEL_FRAC_BITS", c.voxel_frac_bits},
+               {"NORMAL_BITS", c.normal_bits},     {"MATRIX_FRAC_BITS", c.matrix_frac_bits},
+               {"DEPTH_BITS", c.depth_bits},       {"PLANE_LOG2", c.plane_log2},
+               {"EN_VPU_OFFSET", c.en_vpu_offset}, {"EN_SLB", c.en_slb}};
+  if (!c.en_slb) return json;
+  json["SLB_PLANE_LOG2"] = c.slb_plane_log2;
+  json["FRAC_BITS"] = c.frac_bits;
+  json["SLOPE_BITS"] = c.slope_bits;
+  json["FRAGS_PER_PIXEL"] = c.frags_per_pixel;
+  json["SUBPIXEL_BITS"] = c.subpixel_bits;
+  json["QUERY_BITS"] = c.query_bits;
+  json["SLB_ROUNDING"] = c.slb_rounding == golden::slb::Rounding::Better ? "better" : "published";
+  return json;
 }
 
 /// The formats of docs/number-formats.md in this configuration.

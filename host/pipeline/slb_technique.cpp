@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Outlines, samples and receivers go in; answers come out, one for each receiver that faces the light.
+#include "host/pipeline/slb_technique.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <gnomon/golden/slb/codec.hpp>
+#include <gnomon/golden/stream.hpp>
+#include <utility>
+
+#include "host/metrics/voxel_index.hpp"
+#include "host/outline/outline.hpp"
+#include "host/pipeline/records.hpp"
+#include "host/plan/slb_stream.hpp"
+#include "host/plan/vpu_plan.hpp"
+
+namespace gnomon::pipeline {
+namespace {
+
+using golden::VoxelState;
+
+/// One hardware with both units.
+golden::HardwareConfig joined(const golden::HardwareConfig& vpu, golden::HardwareConfig slb) {
+  slb.voxel_bits = vpu.voxel_bits;
+  slb.voxel_frac_bits = vpu.voxel_frac_bits;
+  slb.normal_bits = vpu.normal_bits;
+  slb.matrix_frac_bits = vpu.matrix_frac_bits;
+  slb.plane_log2 = vpu.plane_log2;
+  slb.en_vpu_offset = true;
+  return slb;
+}
+
+Receiver at_representative(const voxel::Voxel& v, const Vec3& light, bool two_sided) {
+  const Vec3 p = metrics::representative(v);
+  const double cosine = -metrics::representative_normal(v).dot(light.normalized());
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
+          static_cast<float>(two_sided ? std::abs(cosine) : cosine)};
+}
+
+class SlbTechnique final : public Technique {
+ public:
+  SlbTechnique(const TechniqueInput& input, plan::SlbPlan slb, std::optional<plan::VpuPlan> vpu)
+      : input_(input), slb_(std::move(slb)), vpu_(std::move(vpu)), config_(slb_.config) {
+    if (vpu_) config_ = joined(vpu_->config, slb_.config);
+  }
+
+  const golden::HardwareConfig& config() const override { return config_; }
+  bool answers_points() const override { return true; }
+  double pitch() const override { return slb_.plane.pitch; }
+  std::optional<std::vector<VoxelState>> in_double() const override { return std::nullopt; }
+
+  Result<std::vector<golden::Word>> stream(std::span<const Receiver> points) override;
+  Result<Answers> decode(std::span<const golden::Word> results) const override;
+  void describe(const EngineAnswers& golden, report::RunRecord& record) const override;
+
+ private:
+  Result<void> draw(golden::StreamWriter& writer) const;
+  Result<std::vector<VoxelState>> states_of_voxels(std::span<const golden::Word> results) const;
+
+  TechniqueInput input_;
+  plan::SlbPlan slb_;
+  std::optional<plan::VpuPlan> vpu_;
+  golden::HardwareConfig config_;
+  std::vector<Receiver> receivers_;  ///< the voxels' representatives, then the points
+};
+
+Result<void> SlbTechnique::draw(golden::StreamWriter& writer) const {
+  std::vector<outline::ObjectOutline> outlines;
+  std::vector<std::vector<plan::SheetSample>> samples;
+  outline::Options options;
+  options.frac_bits = config_.frac_bits;
+  for (std::uint32_t object = 0; object < input_.surfaces.size(); ++object) {
+    if (!slb_.casts[object]) continue;
+    auto outline = outline::outlines(input_.surfaces.subspan(object, 1), slb_.frame(), options);
+    if (!outline) return fail(outline.error().message);
+    outline->front().object = object;
+    outlines.push_back(std::move(outline->front()));
+    samples.push_back(
+        plan::sheet_samples(slb_, input_.surfaces[object], input_.voxels, object, input_.two_sided[object]));
+  }
+  plan::draw_casters(writer, slb_, outlines, samples);
+  return {};
+}
+
+Result<std::vector<golden::Word>> SlbTechnique::stream(std::span<const Receiver> points) {
+  std::vector<golden::Word> words;
+  if (vpu_) {
+    plan::VpuPlan both = *vpu_;
+    both.config = config_;
+    words =
+        plan::vpu_stream(both, input_.voxels, plan::voxel_items(input_.voxels, config_), input_.two_sided);
+  }
+  receivers_.reserve(input_.voxels.voxels.size() + points.size());
+  for (const voxel::Voxel& v : input_.voxels.voxels)
+    receivers_.push_back(at_representative(v, input_.light, input_.two_sided[v.object]));
+  receivers_.insert(receivers_.end(), points.begin(), points.end());
+
+  golden::StreamWriter writer(config_);
+  if (auto done = draw(writer); !done) return fail(done.error().message);
+  plan::ask_receivers(writer, slb_, receivers_);
+  writer.fence(1, true);
+  const std::vector<golden::Word>& slb_words = writer.words();
+  words.insert(words.end(), slb_words.begin(), slb_words.end());
+  return words;
+}
+
+Result<std::vector<VoxelState>> SlbTechnique::states_of_voxels(std::span<const golden::Word> results) const {
+  const auto voxels = plan::voxel_results(results, input_.voxels.voxels.size());
+  if (!voxels) return fail(voxels.error().message);
+  std::vector<VoxelState> states;
+  states.reserve(voxels->size());
+  for (const golden::VoxelResult& result : *voxels) states.push_back(result.state);
+  return states;
+}
+
+Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) const {
+  std::vector<VoxelState> states;
+  if (vpu_) {
+    auto of_voxels = states_of_voxels(results);
+    if (!of_voxels) return fail(of_voxels.error().message);
+    states = std::move(*of_voxels);
+  }
+  std::vector<golden::slb::QueryAnswer> answers;
+  answers.reserve(receivers_.size());
+  for (const golden::Word word : results) {
+    const auto code = static_cast<std::uint8_t>(word >> 56);
+    if (golden::result_code(word) == golden::ResultCode::Error)
+      return fail("the hardware refused a command: " + golden::describe_result(word));
+    if (code == golden::slb::kAnswerCode) answers.push_back(golden::slb::decode_answer(word));
+  }
+
+  const metrics::VoxelIndex index(input_.voxels);
+  const std::size_t voxel_count = input_.voxels.voxels.size();
+  std::vector<std::uint8_t> shadowed(receivers_.size(), 1);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < receivers_.size(); ++i) {
+    const Receiver& r = receivers_[i];
+    if (!(r.facing > 0)) continue;
+    if (next == answers.size()) return fail("the hardware answered fewer queries than it was asked");
+    const golden::slb::QueryAnswer& answer = answers[next++];
+    shadowed[i] = answer.shadow ? 1 : 0;
+    if (states.empty() || answer.has_fragment) continue;
+    const std::uint32_t voxel =
+        i < voxel_count ? static_cast<std::uint32_t>(i) : index.answering(Vec3(r.x, r.y, r.z));
+    shadowed[i] = voxel != metrics::kNoVoxel && states[voxel] == VoxelState::Shadow ? 1 : 0;
+  }
+  if (next != answers.size()) return fail("the hardware answered more queries than it was asked");
+
+  Answers all;
+  const auto first_point = shadowed.begin() + static_cast<std::ptrdiff_t>(voxel_count);
+  for (auto at = shadowed.begin(); at != first_point; ++at)
+    all.voxels.push_back(*at != 0 ? VoxelState::Shadow : VoxelState::Lit);
+  all.points.assign(first_point, shadowed.end());
+  return all;
+}
+
+void SlbTechnique::describe(const EngineAnswers& golden, report::RunRecord& record) const {
+  if (vpu_) record.registers = register_records(*vpu_);
+  record.plane = {static_cast<std::uint32_t>(slb_.plane.side), golden.plane_entries_hit, slb_.plane.pitch};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Technique>> make_slb(const RunSettings& settings, const TechniqueInput& input,
+                                            bool with_voxels) {
+  auto slb = plan::plan_slb(input.voxels, input.surfaces.size(), input.light, settings.slb);
+  if (!slb) return fail(slb.error().message);
+  slb->config.en_vpu_offset = false;
+  if (!with_voxels) return std::make_unique<SlbTechnique>(input, std::move(*slb), std::nullopt);
+  plan::VpuSettings vpu_settings = settings.vpu;
+  vpu_settings.plane_log2 = 0;  // `plane` is the SLB's here
+  auto vpu = plan::plan_vpu(input.voxels, input.light, vpu_settings);
+  if (!vpu) return fail(vpu.error().message);
+  return std::make_unique<SlbTechnique>(input, std::move(*slb), std::move(*vpu));
+}
+
+}  // namespace gnomon::pipeline

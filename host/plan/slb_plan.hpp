@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the silhouette-line buffer's plane lies for one directional light. Theory: docs/planning.md.
+#pragma once
+
+#include <gnomon/golden/config.hpp>
+#include <span>
+#include <vector>
+
+#include "host/base/light_plane.hpp"
+#include "host/base/result.hpp"
+#include "host/outline/outline.hpp"
+#include "host/plan/slb_settings.hpp"
+#include "host/voxel/voxel_set.hpp"
+
+namespace gnomon::plan {
+
+/// Everything the SLB needs for one directional light.
+struct SlbPlan {
+  golden::HardwareConfig config;  ///< with the SLB; the projection unit's parameters are at their defaults
+  LightPlane plane;
+  double codes_per_voxel = 1;
+  double nearest = 0;       ///< voxels along `away`: the depth of code 0
+  std::vector<bool> casts;  ///< by object: false where nothing can be in its shadow
+
+  /// Depth code, not rounded.
+  double code(const Vec3& p) const { return (plane.axes.away.dot(p) - nearest) * codes_per_voxel; }
+  /// The same for the outliner.
+  outline::LightFrame frame() const;
+};
+
+/// `objects` is their number; `light` is the way the light travels, in grid coordinates. Fails where the
+/// settings make no legal hardware (the error names the key) or nothing casts a shadow.
+Result<SlbPlan> plan_slb(const voxel::VoxelSet& voxels, std::size_t objects, const Vec3& light,
+                         const SlbSettings& settings);
+
+}  // namespace gnomon::plan

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Outlines, surface samples and receivers as commands of the silhouette-line buffer (docs/planning.md).
+#pragma once
+
+#include <gnomon/golden/stream.hpp>
+#include <span>
+#include <vector>
+
+#include "host/base/receiver.hpp"
+#include "host/outline/outline.hpp"
+#include "host/plan/slb_plan.hpp"
+#include "host/surface/limit_surface.hpp"
+#include "host/voxel/voxel_set.hpp"
+
+namespace gnomon::plan {
+
+/// A point of a sheet that faces the light, with the sheet's slope there.
+struct SheetSample {
+  Vec3 point, normal;
+};
+
+/// Samples of one object's sheets that face the light (all sheets, if two-sided), close enough together that
+/// every pixel wholly inside a sheet has one. `voxels` needs subpatches.
+std::vector<SheetSample> sheet_samples(const SlbPlan& plan, const surface::LimitSurface& surface,
+                                       const voxel::VoxelSet& voxels, std::uint32_t object, bool two_sided);
+
+/// Clears the plane and draws one object after the other. `outlines` and `samples` run as the casters among
+/// the objects, in order.
+void draw_casters(golden::StreamWriter& writer, const SlbPlan& plan,
+                  std::span<const outline::ObjectOutline> outlines,
+                  std::span<const std::vector<SheetSample>> samples);
+
+/// One query for each receiver that faces the light.
+void ask_receivers(golden::StreamWriter& writer, const SlbPlan& plan, std::span<const Receiver> receivers);
+
+}  // namespace gnomon::plan
