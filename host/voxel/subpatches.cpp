@@ -153,14 +153,19 @@ void shorten(std::vector<std::uint32_t>& polygon) {
   while (polygon.size() > 1 && polygon.back() == polygon.front()) polygon.pop_back();
 }
 
-/// Fewer than three distinct voxels.
-bool flat(const std::vector<std::uint32_t>& polygon) {
-  if (polygon.size() < 3) return true;
-  return std::all_of(polygon.begin(), polygon.end(),
-                     [&](std::uint32_t v) { return v == polygon[0] || v == polygon[1]; });
+bool distinct(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  return a != b && b != c && c != a;
 }
 
-/// Equal for quads with the same two triangles.
+/// The same points with c3 = c2 where there is but one triangle; c0 = c2 where there is none.
+VoxelQuad reduced(const VoxelQuad& q) {
+  if (!distinct(q[0], q[2], q[3]) || q[1] == q[3]) {
+    return distinct(q[0], q[1], q[2]) ? VoxelQuad{q[0], q[1], q[2], q[2]} : VoxelQuad{};
+  }
+  return distinct(q[0], q[1], q[2]) ? q : VoxelQuad{q[0], q[2], q[3], q[3]};
+}
+
+/// Equal for reduced quads with the same triangles.
 VoxelQuad canonical(VoxelQuad q) {
   if (q[3] == q[2]) {
     std::sort(q.begin(), q.begin() + 3);
@@ -188,30 +193,69 @@ void drop_repeats(CastingQuads& out) {
   out.quads.resize(kept);
 }
 
+/// Calls `visit(polygon)` with the outline of every subpatch, in order.
+template <class Visit>
+void for_each_outline(std::span<const surface::LimitSurface> surfaces, std::span<const Subpatch> all,
+                      Visit visit) {
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    const std::uint32_t object = all[begin].object;
+    while (end < all.size() && all[end].object == object) ++end;
+    Stitcher(surfaces[object], all.subspan(begin, end - begin)).for_each_outline(visit);
+  }
+}
+
+/// Calls `visit(quad)` for quads around the polygon's first point.
+template <class Visit>
+void for_each_quad(const std::vector<std::uint32_t>& polygon, Visit visit) {
+  for (std::size_t i = 1; i + 1 < polygon.size(); i += 2) {
+    const std::size_t last = std::min(i + 2, polygon.size() - 1);
+    visit(VoxelQuad{polygon[0], polygon[i], polygon[i + 1], polygon[last]});
+  }
+}
+
 }  // namespace
 
 CastingQuads casting_quads(std::span<const surface::LimitSurface> surfaces, const VoxelSet& set) {
   CastingQuads out;
   out.statistics.subpatches = set.subpatches.size();
-  const auto add_polygon = [&](std::vector<std::uint32_t>& polygon) {
+  for_each_outline(surfaces, set.subpatches, [&](std::vector<std::uint32_t>& polygon) {
     if (polygon.size() > 4) ++out.statistics.stitched;
     shorten(polygon);
-    if (flat(polygon)) {
-      ++out.statistics.degenerate;
-      return;
-    }
-    for (std::size_t i = 1; i + 1 < polygon.size(); i += 2) {
-      const std::size_t last = std::min(i + 2, polygon.size() - 1);
-      out.quads.push_back({polygon[0], polygon[i], polygon[i + 1], polygon[last]});
-    }
-  };
-  const std::span<const Subpatch> all = set.subpatches;
-  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-    const std::uint32_t object = all[begin].object;
-    while (end < all.size() && all[end].object == object) ++end;
-    Stitcher(surfaces[object], all.subspan(begin, end - begin)).for_each_outline(add_polygon);
-  }
+    if (polygon.size() < 3) ++out.statistics.degenerate;
+    for_each_quad(polygon, [&](const VoxelQuad& quad) {
+      const VoxelQuad kept = reduced(quad);
+      if (kept[0] == kept[2])
+        ++out.statistics.degenerate;
+      else
+        out.quads.push_back(kept);
+    });
+  });
   drop_repeats(out);
+  return out;
+}
+
+std::vector<LimitQuad> limit_quads(std::span<const surface::LimitSurface> surfaces, const VoxelSet& set) {
+  // Corners are numbered one by one, so that each of them can be found again.
+  std::vector<Subpatch> numbered = set.subpatches;
+  std::uint32_t next = 0;
+  for (Subpatch& s : numbered)
+    for (std::uint32_t& corner : s.corner) corner = next++;
+  const auto point = [&](std::uint32_t number) {
+    const Subpatch& s = set.subpatches[number / 4];
+    const Corner c = corners(s)[number % 4];
+    return surfaces[s.object].position(s.face, double{c.u}, double{c.v});
+  };
+  std::vector<LimitQuad> out;
+  for_each_outline(surfaces, numbered, [&](const std::vector<std::uint32_t>& polygon) {
+    for_each_quad(polygon, [&](const VoxelQuad& quad) {
+      LimitQuad limit{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        limit.points[i] = point(quad[i]);
+        limit.voxels[i] = set.subpatches[quad[i] / 4].corner[quad[i] % 4];
+      }
+      out.push_back(limit);
+    });
+  });
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "host/base/vec.hpp"
 #include "host/surface/limit_surface.hpp"
 #include "host/voxel/voxel_set.hpp"
 
@@ -20,8 +21,8 @@ using VoxelQuad = std::array<std::uint32_t, 4>;
 struct QuadStatistics {
   std::uint64_t subpatches = 0;
   std::uint64_t stitched = 0;    ///< subpatches with voxels of finer neighbours on their sides
-  std::uint64_t degenerate = 0;  ///< subpatches dropped: fewer than three distinct voxels
-  std::uint64_t repeated = 0;    ///< quads dropped: equal to another one
+  std::uint64_t degenerate = 0;  ///< subpatches or quads dropped: no three distinct voxels
+  std::uint64_t repeated = 0;    ///< quads dropped: the triangles of another one
 };
 
 struct CastingQuads {
@@ -33,5 +34,13 @@ struct CastingQuads {
 /// voxels of all of them, so that neighbours share their sides. `surfaces` must be the ones that `set` was
 /// made from, and `set.subpatches` must be filled. Time and memory grow with the number of subpatches.
 CastingQuads casting_quads(std::span<const surface::LimitSurface> surfaces, const VoxelSet& set);
+
+/// The same quads between the limit points themselves, none dropped: what voxels as corners are measured
+/// against. The quads of a closed surface close to the bit.
+struct LimitQuad {
+  std::array<Vec3, 4> points;  ///< grid coordinates
+  VoxelQuad voxels;            ///< that the points fell into
+};
+std::vector<LimitQuad> limit_quads(std::span<const surface::LimitSurface> surfaces, const VoxelSet& set);
 
 }  // namespace gnomon::voxel
