@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What outlines of given models cost and how far they are from the exact contour:
-//   outline_figures PLANE FRAC_BITS MODEL.obj ...
+// What outlines of given models cost, how far they are from the exact contour, and what shadow the buffer
+// makes of them:
+//   outline_figures pixels|length PLANE_LOG2 FRAC_BITS MODEL.obj ...
+// (edges fitted to pixels, or by their length alone).
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <gnomon/golden/slb/model.hpp>
+#include <random>
 #include <unordered_map>
 
 #include "host/outline/outline.hpp"
 #include "host/scene/scene.hpp"
+#include "tests/host/outline/winding.hpp"
 
 namespace {
 
@@ -95,7 +100,58 @@ Displacement displacement(const std::vector<outline::Loop>& loops, const Edges& 
   return d;
 }
 
-int run(const std::string& path, double plane, int frac_bits) {
+/// Mean displacement of the shadow's border in the buffer and in a shadow map 2^F times finer, of the same
+/// points.
+struct ShadowError {
+  double buffer = 0, fine_map = 0;
+};
+
+void draw(golden::slb::SlbModel& model, const std::vector<outline::Loop>& loops) {
+  const double unit = static_cast<double>(model.config().subpixels());
+  model.begin_object(0, true, 0);
+  for (const auto& loop : loops) {
+    std::vector<golden::slb::Vertex> vertices;
+    for (const auto& v : loop) vertices.push_back({std::llround(v.x * unit), std::llround(v.y * unit), 0});
+    model.loop(vertices);
+  }
+  model.fill();
+  model.end_object();
+}
+
+ShadowError shadow_error(const std::vector<outline::Loop>& loops, const std::vector<outline::Loop>& exact,
+                         int plane_log2, int frac_bits) {
+  golden::slb::SlbConfig config;
+  config.frac_bits = config.slope_bits = frac_bits;
+  config.plane_log2 = plane_log2;
+  config.subpixel_bits = frac_bits + 3;
+  config.query_bits = 16;
+  config.depth_bits = 8;
+  golden::slb::SlbModel model(config);
+  draw(model, loops);
+  const outline::test::LoopSet truth(exact);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double fine = std::ldexp(1.0, frac_bits);
+  std::size_t wrong = 0;
+  std::size_t wrong_fine = 0;
+  for (const auto& loop : exact)
+    for (const auto& v : loop) {
+      const auto x = static_cast<std::int64_t>((v.x + (2 * unit(random) - 1) * 8 / fine) * 65536);
+      const auto y = static_cast<std::int64_t>((v.y + (2 * unit(random) - 1) * 8 / fine) * 65536);
+      const double px = (static_cast<double>(x) + 0.5) / 65536;
+      const double py = (static_cast<double>(y) + 0.5) / 65536;
+      const bool in = truth.winding(px, py) > 0;
+      const double fx = (std::floor(px * fine) + 0.5) / fine;
+      const double fy = (std::floor(py * fine) + 0.5) / fine;
+      wrong += model.query({x, y, 1}, 0).shadow != in ? 1U : 0U;
+      wrong_fine += (truth.winding(fx, fy) > 0) != in ? 1U : 0U;
+    }
+  fmt::print("  chains {} dropped {} reduced {}", model.counters().chains, model.counters().chains_dropped,
+             model.counters().chains_reduced);
+  return {static_cast<double>(wrong), static_cast<double>(wrong_fine)};
+}
+
+int run(const std::string& path, int plane_log2, int frac_bits, bool fit_pixels) {
   scene::SceneOptions options;
   options.ground = false;
   const auto loaded = scene::load_scene(path, options);
@@ -117,9 +173,10 @@ int run(const std::string& path, double plane, int frac_bits) {
     box.extendBy(surface->bounds());
     surfaces.push_back(std::move(*surface));
   }
-  const outline::LightFrame frame = frame_for(box, Vec3(-0.5, -1, -0.7), plane);
+  const outline::LightFrame frame = frame_for(box, Vec3(-0.5, -1, -0.7), std::ldexp(1.0, plane_log2));
   outline::Options as_used;
   as_used.frac_bits = frac_bits;
+  as_used.fit_pixels = fit_pixels;
   std::vector<double> times;
   std::vector<outline::ObjectOutline> result;
   for (int i = 0; i < 5; ++i) {
@@ -136,6 +193,7 @@ int run(const std::string& path, double plane, int frac_bits) {
   outline::Options fine;
   fine.frac_bits = 16;
   fine.min_edge = 0.05;
+  fine.fit_pixels = false;
   const auto exact = outline::outlines(surfaces, frame, fine);
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto& s = result[i].statistics;
@@ -148,6 +206,8 @@ int run(const std::string& path, double plane, int frac_bits) {
         result[i].loops.size(), s.vertices, s.dropped_loops, d.length,
         d.length / static_cast<double>(s.vertices), std::ldexp(d.mean, frac_bits),
         std::ldexp(d.largest, frac_bits), times[2] * 1000);
+    const ShadowError e = shadow_error(result[i].loops, (*exact)[i].loops, plane_log2, frac_bits);
+    fmt::print("  shadow: {:.3f} of a map 2^F finer\n", e.buffer / e.fine_map);
   }
   return 0;
 }
@@ -155,11 +215,14 @@ int run(const std::string& path, double plane, int frac_bits) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) {
-    fmt::print(stderr, "usage: outline_figures PLANE FRAC_BITS MODEL.obj ...\n");
+  const std::string edges = argc > 1 ? argv[1] : "";
+  if (argc < 5 || (edges != "pixels" && edges != "length")) {
+    fmt::print(stderr, "usage: outline_figures pixels|length PLANE_LOG2 FRAC_BITS MODEL.obj ...\n");
     return 2;
   }
-  for (int i = 3; i < argc; ++i)
-    if (const int status = run(argv[i], std::atof(argv[1]), std::atoi(argv[2])); status != 0) return status;
+  for (int i = 4; i < argc; ++i)
+    if (const int status = run(argv[i], std::atoi(argv[2]), std::atoi(argv[3]), edges == "pixels");
+        status != 0)
+      return status;
   return 0;
 }

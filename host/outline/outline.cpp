@@ -3,6 +3,7 @@
 #include "host/outline/outline.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -73,7 +74,7 @@ class Outliner {
 
   void add_loops(const std::vector<Loop>& dense, ObjectOutline& out) const {
     const ThinningLimits limits{sag(options_), kDepthSlack * view_.codes_per_pixel(), options_.min_edge,
-                                options_.max_edge};
+                                options_.max_edge, options_.fit_pixels};
     for (const Loop& d : dense) {
       Loop loop = thinned(d, limits);
       if (loop.empty()) {
@@ -102,6 +103,10 @@ Result<std::vector<ObjectOutline>> outlines(std::span<const surface::LimitSurfac
   const auto all = [&] {
     for (std::uint32_t i = 0; i < surfaces.size(); ++i) out.push_back(outliner.run(surfaces[i], i));
   };
+  const tbb::global_control allow(
+      tbb::global_control::max_allowed_parallelism,
+      std::max<std::size_t>(options.threads,
+                            tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(options.threads));
   arena.execute(all);

@@ -59,7 +59,10 @@ struct Options {
   int frac_bits = 7;      ///< F: edges are so short that they leave the curve by at most 2^-F / 4 pixels
   double min_edge = 0.3;  ///< pixels; curves are not followed with shorter edges, however tight
   double max_edge = 4;    ///< pixels; edges are not longer, however straight
-  unsigned threads = 0;   ///< 0: all cores; no result depends on it
+  /// Where the curve is tighter than that, one vertex for each of its stays in a pixel; and edges in the
+  /// middle of what they stand for. Otherwise every vertex lies on the curve itself.
+  bool fit_pixels = true;
+  unsigned threads = 0;  ///< 0: all cores; no result depends on it
 };
 
 /// Outlines of limit surfaces, in the order given. Every contour and boundary is sent, hidden ones too.
