@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gnomon: command stream in, result stream out (docs/command-stream.md). Holds the command decoder, the voxel projection
-// unit, the plane memory and the counters.
+// unit with the plane memory, the silhouette-line buffer and the counters.
 
 `include "assertions.svh"
 
@@ -74,7 +74,8 @@ module gnomon_top #(
 
   // ---- Silhouette-line buffer ----
   logic                    slb_start, slb_item_valid, slb_item_ready, slb_close_valid, slb_close_ready;
-  logic                    slb_idle, slb_step, slb_wait;
+  logic                    slb_idle, slb_step, slb_wait, slb_valid;
+  logic [63:0]             slb_result;
   gnomon_pkg::slb_events_t slb_events;
 
   // ---- Decoder ----
@@ -92,7 +93,7 @@ module gnomon_top #(
   logic [3:0]                                 pass;
   logic [2:0]                                 cause;
   command_decoder #(
-    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_SLB(1'b0), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_decoder (
     .clk_i, .rst_ni, .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
     .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_valid),
@@ -111,14 +112,29 @@ module gnomon_top #(
   );
   assign idle_o = quiet && !res_valid_o;
 
-  assign slb_item_ready  = 1'b1;
-  assign slb_close_ready = 1'b1;
-  assign slb_idle        = 1'b1;
-  assign slb_step        = 1'b0;
-  assign slb_wait        = 1'b0;
-  assign slb_events      = '0;
-  logic unused_slb;
-  assign unused_slb = ^{slb_start, slb_item_valid, slb_close_valid};
+  if (EN_SLB) begin : gen_slb
+    slb #(
+      .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .DEPTH_BITS(DEPTH_BITS),
+      .PLANE_LOG2(SLB_PLANE_LOG2), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS), .ROUNDING(SLB_ROUNDING),
+      .DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
+    ) u_slb (
+      .clk_i, .rst_ni, .start_i(slb_start), .item_valid_i(slb_item_valid), .item_ready_o(slb_item_ready),
+      .word_i(word), .close_valid_i(slb_close_valid), .close_ready_o(slb_close_ready), .result_valid_o(slb_valid),
+      .result_ready_i(result_ready), .result_o(slb_result), .idle_o(slb_idle), .step_o(slb_step), .wait_o(slb_wait),
+      .events_o(slb_events)
+    );
+  end else begin : gen_no_slb
+    assign slb_item_ready  = 1'b1;
+    assign slb_close_ready = 1'b1;
+    assign slb_valid       = 1'b0;
+    assign slb_result      = '0;
+    assign slb_idle        = 1'b1;
+    assign slb_step        = 1'b0;
+    assign slb_wait        = 1'b0;
+    assign slb_events      = '0;
+    logic unused_slb;
+    assign unused_slb = ^{slb_start, slb_item_valid, slb_close_valid};
+  end
 
   // ---- VPU ----
   logic                         update_valid, update_ready, modify_write;
@@ -218,10 +234,11 @@ module gnomon_top #(
   );
 
   // ---- Results: a change of kind is a barrier, so that one source speaks at a time and command order is kept ----
-  assign result_valid = decoder_valid || reader_valid || vpu_valid;
+  assign result_valid = decoder_valid || reader_valid || slb_valid || vpu_valid;
   always_comb begin
     if (decoder_valid)     result = decoder_result;
     else if (reader_valid) result = reader_result;
+    else if (slb_valid)    result = slb_result;
     else                   result = vpu_result;
   end
 
@@ -240,7 +257,7 @@ module gnomon_top #(
     .index_i(counter_index_i), .value_o(counter_value_o)
   );
 
-  `GNOMON_ASSERT(a_one_result_source, 2'(decoder_valid) + 2'(reader_valid) + 2'(vpu_valid) <= 2'd1)
+  `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(slb_valid) + 3'(vpu_valid) <= 3'd1)
   `GNOMON_ASSERT(a_reader_alone, !reader_busy || (reading && vpu_idle))
   `GNOMON_ASSERT_STREAM(a_result_stable, res_valid_o, res_ready_i, res_data_o)
 
