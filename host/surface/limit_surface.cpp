@@ -140,6 +140,10 @@ Place LimitSurface::owner(std::uint32_t face, double u, double v) const {
   return on_border(u, v) ? impl_->borders.place(impl_->borders.spot(face, u, v)) : Place{face, u, v};
 }
 
+Vec3 LimitSurface::position_at(const Place& owner) const {
+  return impl_->position(owner);
+}
+
 const Borders& LimitSurface::borders() const {
   return impl_->borders;
 }

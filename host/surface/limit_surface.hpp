@@ -55,6 +55,8 @@ class LimitSurface {
   UnitNormal unit_normal(std::uint32_t face, double u, double v) const;
   /// Where position() evaluates: border points belong to one of the faces that share them.
   Place owner(std::uint32_t face, double u, double v) const;
+  /// The same at a place that owner() or borders() has named.
+  Vec3 position_at(const Place& owner) const;
   const Borders& borders() const;
   /// The polynomials a face is made of, for those who evaluate many points of it.
   const PatchTree& pieces(std::uint32_t face) const;

@@ -18,11 +18,13 @@ int levels_of(const surface::LimitSurface& surface, std::uint32_t curve) {
   double fastest = 0;
   for (const double t : {0.25, 0.75}) {
     const surface::Place p = surface.borders().place({false, curve, t});
+    const surface::Place q = surface.borders().place({false, curve, t + 0.125});
     const auto region = surface.pieces(p.face).region(0, 0, 1, 1);
-    fastest = std::max(fastest, p.u == 0 || p.u == 1 ? region.v_speed : region.u_speed);
+    // A curve along an n-gon is as long as two sides.
+    const double sides = 8 * std::max(std::abs(q.u - p.u), std::abs(q.v - p.v));
+    fastest = std::max(fastest, sides * (p.u == q.u ? region.v_speed : region.u_speed));
   }
-  // Twice, because a curve along an n-gon is as long as two sides.
-  return std::clamp(static_cast<int>(std::ceil(std::log2(std::max(2 * fastest / kStep, 1.0)))), 0, kDeepest);
+  return std::clamp(static_cast<int>(std::ceil(std::log2(std::max(fastest / kStep, 1.0)))), 0, kDeepest);
 }
 
 }  // namespace
@@ -53,8 +55,11 @@ BorderCache::Stretch BorderCache::stretch(std::uint32_t face, double u, double v
   const double stride = (half.t - quarter.t) * 4 * curve.steps;
   const double start = half.t * curve.steps - stride / 2;
   if (stride != std::floor(stride) || start != std::floor(start)) return {};
+  // A curve has one owner, so one point tells.
+  const surface::Place owner = surface_.borders().place(half);
   return {slots_.data() + curve.first + static_cast<std::ptrdiff_t>(start),
-          static_cast<std::ptrdiff_t>(stride)};
+          static_cast<std::ptrdiff_t>(stride),
+          owner.face == face && owner.u == u + du / 2 && owner.v == v + dv / 2};
 }
 
 BorderCache::Answer BorderCache::voxel(std::uint32_t face, double u, double v, std::uint32_t res) {
@@ -64,7 +69,7 @@ BorderCache::Answer BorderCache::voxel(std::uint32_t face, double u, double v, s
     if (const VoxelKey k = remembered->load(std::memory_order_relaxed); k != 0) return {k - 1, false};
   }
   const surface::Place place = surface_.borders().place(spot);
-  const Vec3 p = surface_.position(place.face, place.u, place.v);
+  const Vec3 p = surface_.position_at(place);
   const VoxelKey key =
       pack(snap(p.x, res) >> kFractionBits, snap(p.y, res) >> kFractionBits, snap(p.z, res) >> kFractionBits);
   if (remembered == nullptr) return {key, true};

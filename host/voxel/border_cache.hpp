@@ -27,14 +27,20 @@ class BorderCache {
 
   /// The memory of equally spaced points on one side of a face: point i is at first[i * stride].
   struct Stretch {
-    const std::atomic<VoxelKey>* first = nullptr;  ///< null: not all of the points are remembered
+    std::atomic<VoxelKey>* first = nullptr;  ///< null: not all of the points are remembered
     std::ptrdiff_t stride = 0;
+    bool own = false;  ///< they are evaluated where they were asked for, in this face
 
     /// What voxel() would say, if it has been asked before.
     std::optional<VoxelKey> recall(std::ptrdiff_t i) const {
       if (first == nullptr) return std::nullopt;
       const VoxelKey k = first[i * stride].load(std::memory_order_relaxed);
       return k == 0 ? std::nullopt : std::optional(k - 1);
+    }
+    /// For points of its own: false if another thread was faster.
+    bool remember(std::ptrdiff_t i, VoxelKey key) const {
+      VoxelKey empty = 0;
+      return first[i * stride].compare_exchange_strong(empty, key + 1, std::memory_order_relaxed);
     }
   };
   /// Points (u, v) + i (du, dv), for i from 1 on, that are not corners of the face.

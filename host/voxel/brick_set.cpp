@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace gnomon::voxel {
 
@@ -42,7 +41,11 @@ std::uint32_t BrickSet::find_or_add(VoxelKey brick) {
   return added;
 }
 
-void BrickSet::merge(const BrickSet& other) {
+void BrickSet::merge(BrickSet&& other) {
+  if (keys_.empty() && !indexed_) {
+    *this = std::move(other);
+    return;
+  }
   for (std::size_t b = 0; b < other.keys_.size(); ++b) {
     Brick& mine = bricks_[find_or_add(other.keys_[b])];
     for (std::size_t z = 0; z < mine.size(); ++z) {
@@ -64,11 +67,11 @@ std::uint32_t BrickSet::index(VoxelKey key) const {
   return indices_[find(brick_key(key))][s.word * 64 + s.bit];
 }
 
-std::vector<std::uint32_t> BrickSet::ordered() const {
-  std::vector<std::uint32_t> order(keys_.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return keys_[a] < keys_[b]; });
+std::vector<std::pair<VoxelKey, std::uint32_t>> BrickSet::ordered() const {
+  std::vector<std::pair<VoxelKey, std::uint32_t>> order;
+  order.reserve(keys_.size());
+  for (std::uint32_t b = 0; b < keys_.size(); ++b) order.emplace_back(keys_[b], b);
+  std::sort(order.begin(), order.end());
   return order;
 }
 

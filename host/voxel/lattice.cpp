@@ -46,24 +46,31 @@ void Lattice::start(const Block& block, int extra_bits) {
   map_to_borders();
 }
 
+Lattice::Chart Lattice::chart(std::uint32_t u0, std::uint32_t v0, std::uint32_t u1, std::uint32_t v1) const {
+  const auto piece = pieces_->region(parameter(u0), parameter(v0), parameter(u1), parameter(v1));
+  if (!piece.whole || piece.patch == nullptr) return {};
+  return {piece.patch, (parameter(block_.cell.u0) - piece.u0) / piece.size,
+          parameter(1U << log_u_) / piece.size, (parameter(block_.cell.v0) - piece.v0) / piece.size,
+          parameter(1U << log_v_) / piece.size};
+}
+
 void Lattice::map_to_piece() {
   const Cell& c = block_.cell;
-  const double u0 = parameter(c.u0);
-  const double v0 = parameter(c.v0);
-  const auto region = pieces_->region(u0, v0, parameter(c.u1()), parameter(c.v1()));
-  patch_ = region.whole ? region.patch : nullptr;
+  own_ = chart(c.u0, c.v0, c.u1(), c.v1());
+  right_ = above_ = {};
+  above_row_.reset();
   own_columns_ = own_rows_ = 0;
-  if (patch_ == nullptr) return;
-  u_origin_ = (u0 - region.u0) / region.size;
-  v_origin_ = (v0 - region.v0) / region.size;
-  u_step_ = parameter(1U << log_u_) / region.size;
-  v_step_ = parameter(1U << log_v_) / region.size;
+  if (own_.patch == nullptr) return;
   // A block's border is shared with other blocks, and may belong to another piece or face.
   own_columns_ = static_cast<unsigned>(width_ - 1);
   own_rows_ = static_cast<unsigned>(height_ - 1);
   // The piece answers for its lower sides, the next one for its upper sides.
-  last_own_u_ = parameter(c.u1()) == region.u0 + region.size ? width_ - 1 : width_;
-  last_own_v_ = parameter(c.v1()) == region.v0 + region.size ? height_ - 1 : height_;
+  const bool last_in_u = own_.u(width_) == 1;
+  const bool last_in_v = own_.v(height_) == 1;
+  last_own_u_ = last_in_u ? width_ - 1 : width_;
+  last_own_v_ = last_in_v ? height_ - 1 : height_;
+  if (last_in_u && c.u1() != kParameterOne) right_ = chart(c.u1(), c.v0, c.u1(), c.v1());
+  if (last_in_v && c.v1() != kParameterOne) above_ = chart(c.u0, c.v1(), c.u1(), c.v1());
 }
 
 void Lattice::map_to_borders() {
@@ -85,7 +92,7 @@ void Lattice::map_to_borders() {
   Line& l = line(j);
   if (!l.ready) {
     l.ready = true;
-    l.cubic = patch_->row(v_own(j));
+    l.cubic = own_.patch->row(own_.v(j));
   }
   return l.cubic;
 }
@@ -100,15 +107,23 @@ VoxelKey Lattice::foreign(int i, int j) {
     return line(j).keys[i] = *known;
   }
   const VoxelKey key = keep<false>(i, j, fixed(i, j));
-  if (patch_ != nullptr || i == 0 || j == 0 || i == width_ || j == height_) memo_.remember(u, v, key);
+  if (own_.patch != nullptr || i == 0 || j == 0 || i == width_ || j == height_) memo_.remember(u, v, key);
   return key;
 }
 
 VoxelKey Lattice::border(int i, int j) {
   if (keep_points_) return keep<true>(i, j, fixed(i, j));
-  if (const auto known = recall(i, j)) {
-    ++remembered_;
-    return line(j).keys[i] = *known;
+  if (const BorderCache::Stretch* s = side(i, j)) {
+    const int t = j == 0 || j == height_ ? i : j;
+    if (const auto known = s->recall(t)) {
+      ++remembered_;
+      return line(j).keys[i] = *known;
+    }
+    if (s->own && own_.patch != nullptr) {
+      const VoxelKey key = keep<false>(i, j, detail::snap_lanes(surface::cubic(row(j), own_.u(i)), res_));
+      remembered_ += s->remember(t, key) ? 0U : 1U;
+      return key;
+    }
   }
   const auto answer =
       borders_[block_.object].voxel(block_.face, parameter(u_at(i)), parameter(v_at(j)), res_);
@@ -117,38 +132,46 @@ VoxelKey Lattice::border(int i, int j) {
 }
 
 // Corners of the block may be corners of the face: those are left to the cache itself.
-std::optional<VoxelKey> Lattice::recall(int i, int j) const {
+const BorderCache::Stretch* Lattice::side(int i, int j) const {
   const bool inner_u = i > 0 && i < width_;
   const bool inner_v = j > 0 && j < height_;
-  if (inner_u && !inner_v) return sides_[j == 0 ? 0 : 2].recall(i);
-  if (inner_v && !inner_u) return sides_[i == 0 ? 3 : 1].recall(j);
-  return std::nullopt;
+  if (inner_u == inner_v) return nullptr;
+  const auto& s = sides_[inner_u ? (j == 0 ? 0 : 2) : (i == 0 ? 3 : 1)];
+  return s.first == nullptr ? nullptr : &s;
 }
 
 Lattice::Fixed Lattice::fixed(int i, int j) {
-  const bool at_low_side = u_at(i) == 0 || v_at(j) == 0;
-  if (patch_ != nullptr && !at_low_side && i <= last_own_u_ && j <= last_own_v_) {
-    return detail::snap_lanes(surface::cubic(row(j), u_own(i)), res_);
-  }
   const double u = parameter(u_at(i));
   const double v = parameter(v_at(j));
-  if (const auto hit = pieces_->find(u, v); hit.patch != nullptr && u > 0 && u < 1 && v > 0 && v < 1) {
-    return detail::snap_lanes(surface::cubic(hit.patch->row(hit.v), hit.u), res_);
+  const auto snapped = [&](const surface::Lane4& p) { return detail::snap_lanes(p, res_); };
+  if (u == 0 || v == 0 || u == 1 || v == 1) return snapped(lanes(surface_->position(block_.face, u, v)));
+  if (own_.patch != nullptr && i <= last_own_u_ && j <= last_own_v_) {
+    return snapped(surface::cubic(row(j), own_.u(i)));
   }
-  return detail::snap_lanes(lanes(surface_->position(block_.face, u, v)), res_);
+  if (above_.patch != nullptr && j == height_ && i < width_) {
+    if (!above_row_) above_row_ = above_.patch->row(above_.v(j));
+    return snapped(surface::cubic(*above_row_, above_.u(i)));
+  }
+  if (right_.patch != nullptr && i == width_ && j < height_) {
+    return snapped(surface::cubic(right_.patch->row(right_.v(j)), right_.u(i)));
+  }
+  if (const auto hit = pieces_->find(u, v); hit.patch != nullptr) {
+    return snapped(surface::cubic(hit.patch->row(hit.v), hit.u));
+  }
+  return snapped(lanes(surface_->position(block_.face, u, v)));
 }
 
 Vec3 Lattice::unit_normal(int i, int j, std::uint64_t& nudged) {
   constexpr double kSmallestSine2 = 1e-12;
-  if (patch_ != nullptr) {
+  if (own_.patch != nullptr) {
     Line& l = line(j);
     Row& slope = slopes_[static_cast<std::size_t>(j)];
     if (!l.slope_ready) {
       l.slope_ready = true;
-      slope = patch_->row_slope(v_own(j));
+      slope = own_.patch->row_slope(own_.v(j));
     }
-    const Vec3 du = vec(surface::cubic_slope(row(j), u_own(i)));
-    const Vec3 dv = vec(surface::cubic(slope, u_own(i)));
+    const Vec3 du = vec(surface::cubic_slope(row(j), own_.u(i)));
+    const Vec3 dv = vec(surface::cubic(slope, own_.u(i)));
     const Vec3 n = du.cross(dv);
     if (n.length2() > kSmallestSine2 * du.length2() * dv.length2()) return n / n.length();
   }

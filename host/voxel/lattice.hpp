@@ -81,8 +81,16 @@ class Lattice {
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j) * (static_cast<std::size_t>(width_) + 1) + static_cast<std::size_t>(i);
   }
-  double u_own(int i) const { return u_origin_ + u_step_ * i; }
-  double v_own(int j) const { return v_origin_ + v_step_ * j; }
+  // A polynomial that lattice points lie in, and their parameters in there.
+  struct Chart {
+    const surface::Patch* patch = nullptr;  // null: there is no such polynomial
+    double u_origin = 0, u_step = 0, v_origin = 0, v_step = 0;
+
+    double u(int i) const { return u_origin + u_step * i; }
+    double v(int j) const { return v_origin + v_step * j; }
+  };
+  // Of the smallest piece that holds a rectangle of parameters.
+  Chart chart(std::uint32_t u0, std::uint32_t v0, std::uint32_t u1, std::uint32_t v1) const;
 
   // Whether a point lies inside the block, so that its own polynomial answers without further ado.
   bool own(int i, int j) const {
@@ -92,7 +100,7 @@ class Lattice {
   Fixed fixed(int i, int j);
   [[gnu::noinline]] VoxelKey foreign(int i, int j);
   VoxelKey border(int i, int j);
-  std::optional<VoxelKey> recall(int i, int j) const;
+  const BorderCache::Stretch* side(int i, int j) const;
   template <bool kExact>
   VoxelKey keep(int i, int j, const Fixed& p);
   Vec3 unit_normal(int i, int j, std::uint64_t& nudged);
@@ -108,12 +116,13 @@ class Lattice {
   int extra_bits_ = 0;
   const surface::LimitSurface* surface_ = nullptr;
   const surface::PatchTree* pieces_ = nullptr;
-  const surface::Patch* patch_ = nullptr;  // null: points are asked for one by one
+  Chart own_;            // of the whole block; without it, points are asked for one by one
+  Chart right_, above_;  // of the sides u = width and v = height (but their last points), if not own_
+  std::optional<Row> above_row_;
   int width_ = 0, height_ = 0;
   int log_u_ = 0, log_v_ = 0;  // of a lattice step
   unsigned own_columns_ = 0, own_rows_ = 0;
   int last_own_u_ = 0, last_own_v_ = 0;  // up to where the block's polynomial answers
-  double u_origin_ = 0, u_step_ = 0, v_origin_ = 0, v_step_ = 0;  // to the polynomial's own parameters
   std::array<BorderCache::Stretch, 4>
       sides_;  // v low, u high, v high, u low: where they are sides of the face
   GridGuard guard_{0};
@@ -153,9 +162,9 @@ inline VoxelKey Lattice::at(int i, int j) {
   if ((word & bit) != 0) return l.keys[i];
   word |= bit;
   const VoxelKey key =
-      own(i, j)
-          ? keep<kExact>(i, j, detail::snap_lanes(surface::cubic(l.ready ? l.cubic : row(j), u_own(i)), res_))
-          : foreign(i, j);
+      own(i, j) ? keep<kExact>(
+                      i, j, detail::snap_lanes(surface::cubic(l.ready ? l.cubic : row(j), own_.u(i)), res_))
+                : foreign(i, j);
   guard_.add(key);
   return key;
 }

@@ -17,11 +17,12 @@ namespace gnomon::voxel {
 inline constexpr int kFractionBits = 16;
 
 /// A coordinate in units of 2^-16 voxel, to nearest. All that is not within [0, res), NaN included, comes out
-/// as `res` voxels or more: on the low side it wraps around.
+/// as `res` voxels or more. `res` may be up to 65535.
 inline std::uint32_t snap(double x, double res) {
   // Adding 1.5 * 2^(52-16) leaves the rounded multiple of 2^-16 in the low bits of the mantissa.
   constexpr double kMagic = 0x1.8p36;
-  const double clamped = std::min(std::max(-1.0, x), res);
+  // What is below 0 wraps around, to `res` voxels at least.
+  const double clamped = std::min(std::max(res - 65536, x), res);
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(clamped + kMagic));
 }
 

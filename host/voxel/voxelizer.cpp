@@ -104,7 +104,7 @@ class Run {
                                  tbb::make_filter<Passed, void>(tbb::filter_mode::serial_in_order, collect));
     });
     if (outside) return tl::make_unexpected(error(*outside));
-    for (const BrickSet& set : sets) members->merge(set);
+    for (BrickSet& set : sets) members->merge(std::move(set));
     statistics.evaluations += source_.evaluations();
     return statistics;
   }

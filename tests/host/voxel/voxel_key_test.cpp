@@ -86,11 +86,13 @@ TEST(BrickSet, IsASet) {
         *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, 4000));
     BrickSet set(true);
     BrickSet other;
+    BrickSet third;
     std::set<VoxelKey> expected;
     std::vector<VoxelKey> order;
     for (const std::uint32_t k : keys) {
       const VoxelKey key = pack(k % 17, k / 17 % 16 * 4000, k / 272);
       RC_ASSERT(set.insert(key) == expected.insert(key).second);
+      third.insert(key);
       if (set.size() > order.size()) order.push_back(key);
       other.insert(k % 2 == 0 ? key : key + 1);
     }
@@ -99,10 +101,10 @@ TEST(BrickSet, IsASet) {
     set.for_each([&](VoxelKey k) { RC_ASSERT(visited.insert(k).second); });
     RC_ASSERT(visited == expected);
     RC_ASSERT(!set.contains(pack(60000, 1, 2)));
-    BrickSet merged;
-    merged.merge(set);
-    merged.merge(other);
     other.for_each([&](VoxelKey k) { expected.insert(k); });
+    BrickSet merged;
+    merged.merge(std::move(third));
+    merged.merge(std::move(other));
     RC_ASSERT(merged.size() == expected.size());
     for (const VoxelKey k : expected) RC_ASSERT(merged.contains(k));
   }));
