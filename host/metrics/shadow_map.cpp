@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+
+#include "host/metrics/voxel_index.hpp"
 
 namespace gnomon::metrics {
 namespace {
@@ -30,6 +31,18 @@ bool ShadowMap::in_shadow(const Vec3& point, double facing) const {
                      plane_.axes.up * ((centre.y - at.y) * plane_.pitch);
   const double bias = std::sqrt(0.5) * plane_.pitch * slope_of(facing) + kCurvature;
   return reference_.blocked(point + aside - plane_.axes.away * bias);
+}
+
+std::vector<golden::VoxelState> ShadowMap::states(const voxel::VoxelSet& voxels,
+                                                  const std::vector<bool>& two_sided) const {
+  std::vector<golden::VoxelState> states(voxels.voxels.size());
+  tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t i) {
+    const voxel::Voxel& v = voxels.voxels[i];
+    const double cosine = -representative_normal(v).dot(plane_.axes.away);
+    const bool dark = in_shadow(representative(v), two_sided.at(v.object) ? std::abs(cosine) : cosine);
+    states[i] = dark ? golden::VoxelState::Shadow : golden::VoxelState::Lit;
+  });
+  return states;
 }
 
 SampleAnswers ShadowMap::answers(const ShadowTruth& truth) const {

@@ -22,6 +22,9 @@ class ShadowMap {
 
   /// `facing`: cosine between normal and light; a surface that faces away is in shadow. Off the plane: lit.
   bool in_shadow(const Vec3& point, double facing) const;
+  /// At the voxels' representatives. `two_sided[object]` as in ExactReference.
+  std::vector<golden::VoxelState> states(const voxel::VoxelSet& voxels,
+                                         const std::vector<bool>& two_sided) const;
   /// At all samples of the truth, on all cores.
   SampleAnswers answers(const ShadowTruth& truth) const;
 

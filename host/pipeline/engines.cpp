@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "sim/compare.hpp"
+#include "sim/counter_names.hpp"
 
 namespace gnomon::pipeline {
 namespace {
@@ -41,9 +42,9 @@ class KnownAnswers final : public golden::Engine {
 /// "cycles.PROJECT.BUSY" -> a table of passes in the order of docs/command-stream.md.
 std::vector<report::PassCycles> by_pass(const std::map<std::string, std::uint64_t>& cycles) {
   std::vector<report::PassCycles> passes;
-  for (const char* pass : {"IDLE", "CONTROL", "CLEAR", "PROJECT", "RESOLVE", "READ"}) {
-    report::PassCycles row{pass, {}};
-    const std::string prefix = std::string("cycles.") + pass + ".";
+  for (const std::string_view pass : sim::kPassNames) {
+    report::PassCycles row{std::string(pass), {}};
+    const std::string prefix = "cycles." + row.pass + ".";
     for (auto at = cycles.lower_bound(prefix); at != cycles.end() && at->first.starts_with(prefix); ++at) {
       row.causes[at->first.substr(prefix.size())] = at->second;
     }

@@ -74,6 +74,7 @@ report::ErrorsRecord errors_record(const metrics::ShadowTruth& truth, const voxe
                                    const std::optional<std::vector<golden::VoxelState>>& in_double,
                                    const metrics::ErrorOptions& options) {
   report::ErrorsRecord record;
+  record.pitch = options.pitch;
   record.fixed = error_record(metrics::shadow_errors(truth, voxels, fixed, samples, options));
   if (!in_double) return record;
   report::DoubleRecord& exact_arithmetic = record.in_double.emplace();
@@ -84,6 +85,15 @@ report::ErrorsRecord errors_record(const metrics::ShadowTruth& truth, const voxe
     exact_arithmetic.differing_unambiguous += truth.unambiguous[i];
   }
   return record;
+}
+
+report::ShadowMapRecord shadow_map_record(const metrics::ShadowTruth& truth, const voxel::VoxelSet& voxels,
+                                          std::span<const golden::VoxelState> states,
+                                          const metrics::SampleAnswers& samples, const LightPlane& plane,
+                                          int depth_bits, const metrics::ErrorOptions& options) {
+  const auto side = static_cast<std::uint64_t>(plane.side);
+  return {static_cast<std::uint32_t>(side), side * side * static_cast<std::uint64_t>(depth_bits),
+          error_record(metrics::shadow_errors(truth, voxels, states, samples, options))};
 }
 
 report::ExactRecord exact_record(const metrics::ExactReference& reference,

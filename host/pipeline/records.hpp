@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "host/base/light_plane.hpp"
 #include "host/metrics/exact_reference.hpp"
 #include "host/metrics/shadow_error.hpp"
 #include "host/pipeline/run.hpp"
@@ -26,6 +27,12 @@ report::ErrorsRecord errors_record(const metrics::ShadowTruth& truth, const voxe
                                    const metrics::SampleAnswers& samples,
                                    const std::optional<std::vector<golden::VoxelState>>& in_double,
                                    const metrics::ErrorOptions& options);
+
+/// A shadow map's answers; `depth_bits` a pixel.
+report::ShadowMapRecord shadow_map_record(const metrics::ShadowTruth& truth, const voxel::VoxelSet& voxels,
+                                          std::span<const golden::VoxelState> states,
+                                          const metrics::SampleAnswers& samples, const LightPlane& plane,
+                                          int depth_bits, const metrics::ErrorOptions& options);
 
 report::ExactRecord exact_record(const metrics::ExactReference& reference, const metrics::ShadowTruth& truth);
 

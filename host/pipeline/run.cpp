@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <fstream>
 #include <gnomon/golden/golden_engine.hpp>
 #include <gnomon/golden/stream_io.hpp>
@@ -12,6 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "host/metrics/shadow_map.hpp"
 #include "host/pipeline/engines.hpp"
 #include "host/pipeline/npy.hpp"
 #include "host/pipeline/records.hpp"
@@ -30,6 +32,7 @@ namespace {
 struct Pictures {
   render::Picture picture, reference;
   render::Image error;
+  std::optional<render::Image> memory;
 };
 
 /// One run. Each member function is a stage, or a few that belong together; `clock_` times them.
@@ -50,6 +53,7 @@ class Job {
   Result<std::unique_ptr<sim::RtlEngine>> make_rtl(const sim::RtlOptions& options) const;
   Result<void> run_rtl();
   Result<void> decode();
+  report::ShadowMapRecord measure_shadow_map(const LightPlane& plane) const;
   void measure_errors();
   void finish_record();
   render::Camera camera() const;  ///< grid coordinates
@@ -210,11 +214,25 @@ metrics::SampleAnswers Job::sample_answers() const {
   return {{samples, border}, {border, border + static_cast<std::ptrdiff_t>(truth_.border_samples.size())}};
 }
 
+report::ShadowMapRecord Job::measure_shadow_map(const LightPlane& plane) const {
+  const metrics::ShadowMap map(*exact_, plane);
+  return shadow_map_record(truth_, voxels_, map.states(voxels_, two_sided_), map.answers(truth_), plane,
+                           technique_->config().depth_bits, {ground_of(request_.scene), technique_->pitch()});
+}
+
 void Job::measure_errors() {
   const auto in_double = stage(report::kDoubleStage, [&] { return technique_->in_double(); });
+  const std::vector<LightPlane> maps = technique_->shadow_maps();
+  std::vector<report::ShadowMapRecord> map_records;
+  if (!maps.empty()) {
+    stage(report::kShadowMapStage, [&] {
+      for (const LightPlane& map : maps) map_records.push_back(measure_shadow_map(map));
+    });
+  }
   stage("errors", [&] {
     record_.errors = errors_record(truth_, voxels_, answers_.voxels, sample_answers(), in_double,
                                    {ground_of(request_.scene), technique_->pitch()});
+    record_.errors.shadow_maps = std::move(map_records);
     record_.exact = exact_record(*exact_, truth_);
   });
 }
@@ -254,6 +272,7 @@ Pictures Job::draw() {
     return picture_scene_->render_reference(camera(), light, materials, *exact_,
                                             picture_options("reference picture"));
   });
+  pictures.memory = stage("memory picture", [&] { return technique_->memory_picture(golden_.results); });
   pictures.error = stage("error map", [&] {
     record_.picture = picture_record(pictures.picture, pictures.reference);
     return render::error_map(pictures.picture, pictures.reference);
@@ -276,7 +295,8 @@ Result<void> Job::write(const report::OutputDirectory& output, const nlohmann::o
   const Result<std::string> image = png("image.png", pictures.picture.image);
   const Result<std::string> reference = png("reference.png", pictures.reference.image);
   const Result<std::string> error = png("error.png", pictures.error);
-  for (const auto* file : {&image, &reference, &error}) {
+  const Result<std::string> memory = pictures.memory ? png("memory.png", *pictures.memory) : std::string();
+  for (const auto* file : {&image, &reference, &error, &memory}) {
     if (!*file) return fail(file->error().message);
   }
   if (const auto problem =
@@ -285,7 +305,7 @@ Result<void> Job::write(const report::OutputDirectory& output, const nlohmann::o
   }
   if (auto done = output.write("voxels.npy", voxels_npy(voxels_, answers_.voxels)); !done) return done;
   if (auto done = output.write("metrics.json", metrics.dump(2) + "\n"); !done) return done;
-  return output.write("report.html", report::report_page(metrics, {*image, *reference, *error}));
+  return output.write("report.html", report::report_page(metrics, {*image, *reference, *error, *memory}));
 }
 
 /// What stands only after the last stage.
@@ -293,6 +313,8 @@ void Job::finish_record() {
   record_.grid = voxels_.grid;
   record_.voxel_statistics = voxels_.statistics;
   record_.voxels = voxels_.voxels.size();
+  record_.voxels_in_shadow =
+      static_cast<std::uint64_t>(std::ranges::count(answers_.voxels, golden::VoxelState::Shadow));
   record_.hardware = technique_->config();
   technique_->describe(golden_, record_);
   record_.command_words = stream_.size();

@@ -14,11 +14,17 @@
 #include "host/pipeline/records.hpp"
 #include "host/plan/slb_stream.hpp"
 #include "host/plan/vpu_plan.hpp"
+#include "host/slb/buffer_picture.hpp"
 
 namespace gnomon::pipeline {
 namespace {
 
 using golden::VoxelState;
+
+constexpr int kLargestDump = 1024;          // pixels a side
+constexpr int kPicturePixels = 24;          // a side, of the plane's part that is shown
+constexpr std::uint64_t kScratchBits = 11;  // a pixel: docs/slb.md, "Scratch memory"
+constexpr std::uint64_t kCarryBits = 8;     // a row
 
 /// One hardware with both units.
 golden::HardwareConfig joined(const golden::HardwareConfig& vpu, golden::HardwareConfig slb) {
@@ -38,6 +44,18 @@ Receiver at_representative(const voxel::Voxel& v, const Vec3& light, bool two_si
           static_cast<float>(two_sided ? std::abs(cosine) : cosine)};
 }
 
+/// The plane as READ_ENTRIES gave it, row-major.
+std::vector<golden::slb::Entry> entries_of(std::span<const golden::Word> results,
+                                           const golden::slb::SlbConfig& config) {
+  std::vector<golden::slb::Entry> entries;
+  golden::ResultReader reader(results);
+  while (const auto result = reader.next()) {
+    if (!result->raw.empty())
+      entries.push_back(golden::slb::unpack_entry({result->raw.begin(), result->raw.end()}, config));
+  }
+  return entries;
+}
+
 class SlbTechnique final : public Technique {
  public:
   SlbTechnique(const TechniqueInput& input, plan::SlbPlan slb, std::optional<plan::VpuPlan> vpu)
@@ -52,9 +70,19 @@ class SlbTechnique final : public Technique {
 
   Result<std::vector<golden::Word>> stream(std::span<const Receiver> points) override;
   Result<Answers> decode(std::span<const golden::Word> results) const override;
+  std::vector<LightPlane> shadow_maps() const override {
+    return {slb_.plane, slb_.plane.finer(1 << config_.frac_bits)};
+  }
   void describe(const EngineAnswers& golden, report::RunRecord& record) const override;
+  std::optional<render::Image> memory_picture(std::span<const golden::Word> results) const override;
 
  private:
+  /// The whole plane is read back and compared, unless it is so large that this would take longer than all
+  /// the rest.
+  bool is_dumped() const { return slb_.plane.side <= kLargestDump; }
+  std::uint32_t pixels() const {
+    return static_cast<std::uint32_t>(slb_.plane.side) * static_cast<std::uint32_t>(slb_.plane.side);
+  }
   Result<void> draw(golden::StreamWriter& writer) const;
   Result<std::vector<VoxelState>> states_of_voxels(std::span<const golden::Word> results) const;
 
@@ -100,6 +128,7 @@ Result<std::vector<golden::Word>> SlbTechnique::stream(std::span<const Receiver>
   if (auto done = draw(writer); !done) return fail(done.error().message);
   plan::ask_receivers(writer, slb_, receivers_);
   writer.fence(1, true);
+  if (is_dumped()) writer.read_entries(0, pixels());
   const std::vector<golden::Word>& slb_words = writer.words();
   words.insert(words.end(), slb_words.begin(), slb_words.end());
   return words;
@@ -123,11 +152,12 @@ Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) cons
   }
   std::vector<golden::slb::QueryAnswer> answers;
   answers.reserve(receivers_.size());
-  for (const golden::Word word : results) {
-    const auto code = static_cast<std::uint8_t>(word >> 56);
-    if (golden::result_code(word) == golden::ResultCode::Error)
-      return fail("the hardware refused a command: " + golden::describe_result(word));
-    if (code == golden::slb::kAnswerCode) answers.push_back(golden::slb::decode_answer(word));
+  golden::ResultReader reader(results);
+  while (const auto result = reader.next()) {
+    if (golden::result_code(result->word) == golden::ResultCode::Error)
+      return fail("the hardware refused a command: " + golden::describe_result(result->word));
+    if (static_cast<std::uint8_t>(result->word >> 56) == golden::slb::kAnswerCode)
+      answers.push_back(golden::slb::decode_answer(result->word));
   }
 
   const metrics::VoxelIndex index(input_.voxels);
@@ -157,7 +187,29 @@ Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) cons
 
 void SlbTechnique::describe(const EngineAnswers& golden, report::RunRecord& record) const {
   if (vpu_) record.registers = register_records(*vpu_);
-  record.plane = {static_cast<std::uint32_t>(slb_.plane.side), golden.plane_entries_hit, slb_.plane.pitch};
+  if (vpu_)
+    record.plane = report::PlaneRecord{static_cast<std::uint32_t>(vpu_->config.plane_side()),
+                                       golden.plane_entries_hit, vpu_->projection.pitch};
+  const golden::slb::SlbConfig slb = config_.slb_config();
+  report::SlbRecord& use = record.slb.emplace();
+  use.side = static_cast<std::uint32_t>(slb_.plane.side);
+  use.pitch = slb_.plane.pitch;
+  use.entry_bits = static_cast<std::uint64_t>(slb.stored_entry_bits());
+  use.pixel_scratch_bits = kScratchBits;
+  use.row_bits = kCarryBits;
+  for (const golden::slb::Entry& entry : entries_of(golden.results, slb)) {
+    ++use.pixels_by_fragments.at(entry.count);
+    use.full_pixels += entry.full_depth != slb.no_depth() ? 1U : 0U;
+    use.overflow_pixels += entry.overflow ? 1U : 0U;
+  }
+}
+
+std::optional<render::Image> SlbTechnique::memory_picture(std::span<const golden::Word> results) const {
+  if (!is_dumped()) return std::nullopt;
+  const golden::slb::SlbConfig config = config_.slb_config();
+  const std::vector<golden::slb::Entry> entries = entries_of(results, config);
+  const slb::Window window = slb::busiest_window(entries, config, kPicturePixels);
+  return slb::buffer_picture(entries, config, window, slb::BufferPictureOptions{});
 }
 
 }  // namespace

@@ -9,10 +9,12 @@
 #include <span>
 #include <vector>
 
+#include "host/base/light_plane.hpp"
 #include "host/base/receiver.hpp"
 #include "host/base/result.hpp"
 #include "host/pipeline/engines.hpp"
 #include "host/pipeline/run.hpp"
+#include "host/render/picture.hpp"
 #include "host/report/run_record.hpp"
 #include "host/surface/limit_surface.hpp"
 #include "host/voxel/voxel_set.hpp"
@@ -48,8 +50,14 @@ class Technique {
   virtual std::optional<std::vector<golden::VoxelState>> in_double() const = 0;
   /// Voxels per entry or pixel of the plane in which displacements are measured.
   virtual double pitch() const = 0;
+  /// Shadow maps over the same area that it is to be measured against.
+  virtual std::vector<LightPlane> shadow_maps() const { return {}; }
   /// Its part of the record, once golden has run.
   virtual void describe(const EngineAnswers& golden, report::RunRecord& record) const = 0;
+  /// What its memory holds, if that is worth looking at.
+  virtual std::optional<render::Image> memory_picture(std::span<const golden::Word>) const {
+    return std::nullopt;
+  }
 };
 
 /// The technique named in the settings; errors name the setting that is to be changed.

@@ -38,8 +38,8 @@ class VoxelOffset final : public Technique {
 
   void describe(const EngineAnswers& golden, report::RunRecord& record) const override {
     record.registers = register_records(plan_);
-    record.plane = {static_cast<std::uint32_t>(plan_.config.plane_side()), golden.plane_entries_hit,
-                    plan_.projection.pitch};
+    record.plane = report::PlaneRecord{static_cast<std::uint32_t>(plan_.config.plane_side()),
+                                       golden.plane_entries_hit, plan_.projection.pitch};
   }
 
  private:

@@ -31,7 +31,9 @@ Result<std::vector<golden::VoxelResult>> voxel_results(std::span<const golden::W
                                                        std::size_t expected) {
   std::vector<golden::VoxelResult> voxels;
   voxels.reserve(expected);
-  for (const auto word : results) {
+  golden::ResultReader reader(results);
+  while (const auto result = reader.next()) {
+    const golden::Word word = result->word;
     switch (golden::result_code(word)) {
       case golden::ResultCode::VoxelState:
         voxels.push_back(golden::decode_voxel_result(word));

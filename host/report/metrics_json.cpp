@@ -123,7 +123,7 @@ std::uint64_t event(const RunRecord& record, const std::string& name) {
 Json voxels_json(const RunRecord& record) {
   const voxel::VoxelStatistics& s = record.voxel_statistics;
   const std::uint64_t uncertain = event(record, "RESOLVED_UNCERTAIN");
-  const std::uint64_t shadow = event(record, "RESOLVED_SHADOW");
+  const std::uint64_t shadow = record.voxels_in_shadow;
   return {{"count", record.voxels},
           {"subpatches", s.subpatches},
           {"evaluations", s.evaluations},
@@ -140,26 +140,61 @@ Json voxels_json(const RunRecord& record) {
           {"offset_empty", event(record, "RESOLVED_OFFSET_EMPTY")}};
 }
 
+std::uint64_t entries_of(const RunRecord& record) {
+  return record.plane ? std::uint64_t{record.plane->side} * record.plane->side : 0;
+}
+
 Json plane_json(const RunRecord& record) {
-  const std::uint64_t entries = std::uint64_t{record.plane.side} * record.plane.side;
+  if (!record.plane) return nullptr;
+  const std::uint64_t entries = entries_of(record);
   const std::uint64_t landed = event(record, "VOXELS_PROJECTED") - event(record, "PROJECT_OFF_PLANE");
-  return {{"side", record.plane.side},
-          {"pitch", record.plane.pitch},
+  return {{"side", record.plane->side},
+          {"pitch", record.plane->pitch},
           {"entries", entries},
-          {"entries_hit", record.plane.entries_hit},
-          {"share_hit", ratio(record.plane.entries_hit, entries)},
-          {"voxels_per_entry_hit", ratio(landed, record.plane.entries_hit)},
+          {"entries_hit", record.plane->entries_hit},
+          {"share_hit", ratio(record.plane->entries_hit, entries)},
+          {"voxels_per_entry_hit", ratio(landed, record.plane->entries_hit)},
           {"off_plane", event(record, "PROJECT_OFF_PLANE")},
           {"saturated", event(record, "PROJECT_SATURATED")}};
 }
 
+Json slb_json(const RunRecord& record) {
+  if (!record.slb) return nullptr;
+  const SlbRecord& s = *record.slb;
+  const std::uint64_t pixels = std::uint64_t{s.side} * s.side;
+  const std::uint64_t overflowed = event(record, "SLB_QUERIES_OVERFLOW");
+  return {{"side", s.side},
+          {"pitch", s.pitch},
+          {"pixels", pixels},
+          {"pixels_by_fragments", s.pixels_by_fragments},
+          {"full_pixels", s.full_pixels},
+          {"overflow_pixels", s.overflow_pixels},
+          {"loops", event(record, "SLB_LOOPS")},
+          {"vertices", event(record, "SLB_VERTICES")},
+          {"crossings", event(record, "SLB_CROSSINGS")},
+          {"chains_reduced", event(record, "SLB_CHAINS_REDUCED")},
+          {"chains_dropped", event(record, "SLB_CHAINS_DROPPED")},
+          {"groups_evicted", event(record, "SLB_GROUPS_EVICTED")},
+          {"queries", event(record, "SLB_QUERIES")},
+          {"queries_off_plane", event(record, "SLB_QUERIES_OFF_PLANE")},
+          {"queries_overflow", overflowed},
+          {"queries_overflow_share", ratio(overflowed, event(record, "SLB_QUERIES"))}};
+}
+
 Json memory_json(const RunRecord& record) {
-  const std::uint64_t entries = std::uint64_t{record.plane.side} * record.plane.side;
+  const std::uint64_t entries = entries_of(record);
+  const SlbRecord slb = record.slb.value_or(SlbRecord{});
+  const std::uint64_t pixels = std::uint64_t{slb.side} * slb.side;
+  const std::uint64_t scratch = pixels * slb.pixel_scratch_bits + slb.side * slb.row_bits;
   const std::uint64_t res = record.grid.res;
   return {{"plane_entries", entries},
           {"plane_entry_bits", kPlaneEntryBits},
           {"plane_bits", entries * kPlaneEntryBits},
           {"plane_depth_bits", entries * static_cast<std::uint64_t>(record.hardware.depth_bits)},
+          {"slb_entry_bits", slb.entry_bits},
+          {"slb_plane_bits", pixels * slb.entry_bits},
+          {"slb_scratch_bits", scratch},
+          {"hardware_bits", entries * kPlaneEntryBits + pixels * slb.entry_bits + scratch},
           {"frame_buffer_bits", 2 * res * res * res},
           {"command_stream_bits", 64 * record.command_words}};
 }
@@ -214,7 +249,16 @@ Json picture_json(const PictureRecord& picture) {
 }
 
 Json errors_json(const ErrorsRecord& errors) {
-  Json json = {{"fixed", error_json(errors.fixed)}, {"double", nullptr}, {"quantisation", nullptr}};
+  Json json = {{"pitch", errors.pitch},
+               {"fixed", error_json(errors.fixed)},
+               {"double", nullptr},
+               {"quantisation", nullptr},
+               {"shadow_maps", Json::array()}};
+  for (const ShadowMapRecord& map : errors.shadow_maps) {
+    Json row = {{"side", map.side}, {"memory_bits", map.memory_bits}};
+    row.update(error_json(map.error));
+    json["shadow_maps"].push_back(row);
+  }
   if (!errors.in_double) return json;
   const DoubleRecord& d = *errors.in_double;
   json["double"] = error_json(d.error);
@@ -241,6 +285,8 @@ Json cycles_json(const RunRecord& record) {
   if (record.cycles.empty()) return nullptr;
   Json passes = Json::object();
   Json per_voxel = Json::object();
+  Json rates = {
+      {"cycles_per_crossing", nullptr}, {"cycles_per_query", nullptr}, {"fill_pixels_per_cycle", nullptr}};
   std::uint64_t sum = 0;
   for (const PassCycles& pass : record.cycles) {
     const std::uint64_t cycles = total(pass);
@@ -248,8 +294,11 @@ Json cycles_json(const RunRecord& record) {
     passes[pass.pass] = {{"total", cycles}, {"causes", pass.causes}};
     if (pass.pass == "PROJECT") per_voxel["project"] = ratio(cycles, event(record, "VOXELS_PROJECTED"));
     if (pass.pass == "RESOLVE") per_voxel["resolve"] = ratio(cycles, event(record, "VOXELS_RESOLVED"));
+    if (pass.pass == "DRAW") rates["cycles_per_crossing"] = ratio(cycles, event(record, "SLB_CROSSINGS"));
+    if (pass.pass == "QUERY") rates["cycles_per_query"] = ratio(cycles, event(record, "SLB_QUERIES"));
+    if (pass.pass == "FILL") rates["fill_pixels_per_cycle"] = ratio(event(record, "SLB_FILL_PIXELS"), cycles);
   }
-  return {{"total", sum}, {"by_pass", passes}, {"per_voxel", per_voxel}};
+  return {{"total", sum}, {"by_pass", passes}, {"per_voxel", per_voxel}, {"slb", rates}};
 }
 
 Json run_time_json(const RunRecord& record, const Json& cycles) {
@@ -260,8 +309,11 @@ Json run_time_json(const RunRecord& record, const Json& cycles) {
                {"simulation_mcycles_per_cpu_second", nullptr}};
   if (!cycles.is_null()) {
     const auto count = cycles["total"].get<double>();
-    time["cycles"] = cycles["total"];
-    time["seconds_at_clock"] = count / (record.clock_mhz * 1e6);
+    std::uint64_t shadows = cycles["total"].get<std::uint64_t>();
+    if (cycles["by_pass"].contains("READ"))
+      shadows -= cycles["by_pass"]["READ"]["total"].get<std::uint64_t>();
+    time["cycles"] = shadows;
+    time["seconds_at_clock"] = static_cast<double>(shadows) / (record.clock_mhz * 1e6);
     const StageTime simulation = stage_of(record, kRtlStage);
     time["simulation_mcycles_per_second"] = ratio(count * 1e-6, simulation.wall_seconds);
     time["simulation_mcycles_per_cpu_second"] = ratio(count * 1e-6, simulation.user_seconds);
@@ -322,6 +374,7 @@ Json metrics_json(const RunRecord& record) {
           {"run_time", run_time_json(record, cycles)},
           {"memory", memory_json(record)},
           {"plane", plane_json(record)},
+          {"slb", slb_json(record)},
           {"voxels", voxels_json(record)},
           {"events", record.events},
           {"stages", stages_json(record)}};

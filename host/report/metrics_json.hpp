@@ -18,6 +18,7 @@ inline constexpr std::string_view kGoldenStage = "golden engine";
 inline constexpr std::string_view kRtlStage = "rtl engine";
 inline constexpr std::string_view kDoubleStage = "double reference";
 inline constexpr std::string_view kExactStage = "exact reference";
+inline constexpr std::string_view kShadowMapStage = "shadow maps";
 
 nlohmann::ordered_json metrics_json(const RunRecord& record);
 

@@ -45,7 +45,9 @@ std::string report_page(const Json& metrics, const Pictures& pictures) {
                {"script", page_js()},
                {"image", data_uri(pictures.image)},
                {"reference", data_uri(pictures.reference)},
-               {"error", data_uri(pictures.error)}};
+               {"error", data_uri(pictures.error)},
+               {"memory", false}};
+  if (!pictures.memory.empty()) view["memory"] = {{"picture", data_uri(pictures.memory)}};
   for (const Json& section :
        {summary_section(metrics), error_section(metrics), cycle_section(metrics), stage_section(metrics),
         configuration_section(metrics), model_section(metrics)}) {

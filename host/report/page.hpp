@@ -10,6 +10,7 @@ namespace gnomon::report {
 /// PNG files, byte for byte.
 struct Pictures {
   std::string image, reference, error;
+  std::string memory{};  ///< of the silhouette-line buffer; empty if there is none
 };
 
 /// The page. `metrics` is what metrics_json gives (or a metrics.json read back): every figure shown is one of

@@ -56,12 +56,42 @@ Json voxel_rows(const Json& m) {
   for (const Json& r :
        table_of(v, {{"floor_hits", "recursion floor reached"}, {"zero_normals", "normals nudged"}}))
     rows.push_back(r);
+  if (m.at("plane").is_null()) return rows;
   rows.push_back(
       row("in shadow", fmt::format("{} ({})", count(v.at("shadow")), share(v.at("shadow_share")))));
   rows.push_back(row("facing away", count(v.at("facing_away"))));
   rows.push_back(
       row("uncertain", fmt::format("{} ({})", count(v.at("uncertain")), share(v.at("uncertain_share")))));
   rows.push_back(row("uncertain, offset entry empty", count(v.at("offset_empty"))));
+  return rows;
+}
+
+Json slb_rows(const Json& m) {
+  const Json& s = m.at("slb");
+  const Json& memory = m.at("memory");
+  Json rows = Json::array();
+  rows.push_back(row("side", count(s.at("side")) + " pixels"));
+  rows.push_back(row("pitch", fmt::format("{:.4g} voxels a pixel", s.at("pitch").get<double>())));
+  rows.push_back(row("loops, vertices", count(s.at("loops")) + ", " + count(s.at("vertices"))));
+  rows.push_back(row("pixel borders crossed", count(s.at("crossings"))));
+  for (std::size_t k = 1; k < 5; ++k) {
+    const Json& pixels = s.at("pixels_by_fragments").at(k);
+    if (pixels != 0)
+      rows.push_back(row(fmt::format("pixels with {} fragment{}", k, k > 1 ? "s" : ""), count(pixels)));
+  }
+  rows.push_back(row("pixels wholly covered", count(s.at("full_pixels"))));
+  rows.push_back(row("pixels where something did not fit", count(s.at("overflow_pixels"))));
+  rows.push_back(row("chains reduced, dropped; groups evicted",
+                     fmt::format("{}, {}; {}", count(s.at("chains_reduced")), count(s.at("chains_dropped")),
+                                 count(s.at("groups_evicted")))));
+  rows.push_back(row("queries", count(s.at("queries"))));
+  rows.push_back(
+      row("queries of a pixel where something did not fit",
+          fmt::format("{} ({})", count(s.at("queries_overflow")), share(s.at("queries_overflow_share")))));
+  rows.push_back(row("memory, entries", fmt::format("{} ({} bit a pixel)",
+                                                    bits(memory.at("slb_plane_bits").get<std::uint64_t>()),
+                                                    memory.at("slb_entry_bits").dump())));
+  rows.push_back(row("memory, scratch", bits(memory.at("slb_scratch_bits").get<std::uint64_t>())));
   return rows;
 }
 
@@ -134,7 +164,9 @@ Json model_section(const Json& m) {
       grid.at("res").dump(), grid.at("voxel_size").get<double>(), grid.at("origin").at(0).get<double>(),
       grid.at("origin").at(1).get<double>(), grid.at("origin").at(2).get<double>());
   view["voxel_rows"] = voxel_rows(m);
-  view["plane_rows"] = plane_rows(m);
+  view["plane"] = view["slb"] = false;
+  if (!m.at("plane").is_null()) view["plane"] = {{"rows", plane_rows(m)}};
+  if (!m.at("slb").is_null()) view["slb"] = {{"rows", slb_rows(m)}};
   return view;
 }
 

@@ -41,6 +41,24 @@ Json exact_row() {
           {"time_at_clock", kNone}};
 }
 
+/// A shadow map of so many pixels: no hardware of ours, but what it would need.
+Json shadow_map_row(const Json& m, const Json& map) {
+  const double ours = m.at("errors").at("fixed").at("ground").at("boundary_displacement").is_null()
+                          ? 0
+                          : m.at("errors").at("fixed").at("ground").at("boundary_displacement").get<double>();
+  Json line = error_row(map, "shadow map", "");
+  line["name"] = fmt::format("shadow map {0}²", map.at("side").dump());
+  const Json& theirs = map.at("ground").at("boundary_displacement");
+  line["note"] = ours > 0 && !theirs.is_null()
+                     ? fmt::format("nearest depth; its border on the ground is off {:.3g} times as far",
+                                   theirs.get<double>() / ours)
+                     : std::string("nearest depth at each pixel's centre");
+  line["cycles"] = line["time_at_clock"] = kNone;
+  line["host"] = wall_text(m, kShadowMapStage);
+  line["memory"] = bits(map.at("memory_bits").get<std::uint64_t>());
+  return line;
+}
+
 Json receiver_row(const Json& m, const char* method, const char* key, const char* receiver) {
   const Json& part = m.at("errors").at(key).at(receiver);
   return {{"method", method},
@@ -75,14 +93,14 @@ void add_double(const Json& m, Json& view) {
 Json error_section(const Json& m) {
   const Json& time = m.at("run_time");
   const bool rtl = !m.at("cycles").is_null();
-  const std::string plane = bits(m.at("memory").at("plane_bits").get<std::uint64_t>());
+  const std::string memory = bits(m.at("memory").at("hardware_bits").get<std::uint64_t>());
 
   Json hardware = error_row(m.at("errors").at("fixed"), "fixed point", "the hardware, to the bit");
   hardware["cycles"] = rtl ? count(time.at("cycles")) : "not simulated";
   hardware["time_at_clock"] = rtl ? seconds(time.at("seconds_at_clock")) : kNone;
   hardware["host"] = rtl ? wall_text(m, kRtlStage) + " rtl, " + wall_text(m, kGoldenStage) + " golden"
                          : wall_text(m, kGoldenStage) + " golden";
-  hardware["memory"] = plane;
+  hardware["memory"] = memory;
   Json exact = exact_row();
   exact["host"] = wall_text(m, kExactStage);
   exact["memory"] = count(m.at("exact_reference").at("triangles")) + " triangles";
@@ -94,6 +112,8 @@ Json error_section(const Json& m) {
       {receiver_row(m, "fixed point", "fixed", "ground"), receiver_row(m, "fixed point", "fixed", "models")});
   view["quantisation"] = false;
   if (!m.at("errors").at("double").is_null()) add_double(m, view);
+  for (const Json& map : m.at("errors").at("shadow_maps"))
+    view["error_rows"].push_back(shadow_map_row(m, map));
   view["error_rows"].push_back(exact);
   return view;
 }

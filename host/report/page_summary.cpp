@@ -42,28 +42,54 @@ Json verdict_view(const Json& compare) {
   return view;
 }
 
+/// Cycles for each item of the units that the technique uses.
+void add_rates(const Json& m, Json& tiles) {
+  if (!m.at("plane").is_null()) {
+    const Json& per_voxel = m.at("cycles").at("per_voxel");
+    tiles.push_back(tile("cycles a voxel",
+                         number(per_voxel.at("project"), 3) + " + " + number(per_voxel.at("resolve"), 3),
+                         "project + resolve"));
+  }
+  if (m.at("slb").is_null()) return;
+  const Json& rates = m.at("cycles").at("slb");
+  tiles.push_back(
+      tile("cycles a crossing, a query",
+           number(rates.at("cycles_per_crossing"), 3) + ", " + number(rates.at("cycles_per_query"), 3),
+           fmt::format("fill: {} pixels a cycle", number(rates.at("fill_pixels_per_cycle"), 1))));
+}
+
+std::string memory_note(const Json& m) {
+  const Json& memory = m.at("memory");
+  std::string note;
+  if (!m.at("plane").is_null())
+    note = fmt::format("{} entries × {} bit", count(memory.at("plane_entries")),
+                       memory.at("plane_entry_bits").dump());
+  if (m.at("slb").is_null()) return note;
+  if (!note.empty()) note += " + ";
+  return note + fmt::format("{} pixels × {} bit, and scratch", count(m.at("slb").at("pixels")),
+                            memory.at("slb_entry_bits").dump());
+}
+
 Json key_figures(const Json& m) {
   const Json& fixed_errors = m.at("errors").at("fixed");
   const Json& time = m.at("run_time");
   Json tiles = Json::array();
   tiles.push_back(tile("voxels", count(m.at("voxels").at("count")),
-                       fmt::format("{} of them uncertain", share(m.at("voxels").at("uncertain_share")))));
+                       m.at("plane").is_null() ? std::string("the scene, sampled")
+                                               : fmt::format("{} of them uncertain",
+                                                             share(m.at("voxels").at("uncertain_share")))));
   tiles.push_back(tile("mislabelled, unambiguous", share(fixed_errors.at("unambiguous").at("share")),
                        share(fixed_errors.at("all").at("share")) + " of all voxels"));
   tiles.push_back(tile("boundary displacement", number(fixed_errors.at("boundary_displacement"), 3),
-                       "plane entries, mean"));
+                       m.at("slb").is_null() ? "plane entries, mean" : "pixels of the plane, mean"));
   if (!m.at("cycles").is_null()) {
-    const Json& per_voxel = m.at("cycles").at("per_voxel");
-    tiles.push_back(tile("cycles a voxel",
-                         number(per_voxel.at("project"), 3) + " + " + number(per_voxel.at("resolve"), 3),
-                         "project + resolve"));
+    add_rates(m, tiles);
     tiles.push_back(tile(
         "hardware time", seconds(time.at("seconds_at_clock")),
         fmt::format("{} cycles at {:g} MHz", count(time.at("cycles")), time.at("clock_mhz").get<double>())));
   }
-  tiles.push_back(tile("plane memory", bits(m.at("memory").at("plane_bits").get<std::uint64_t>()),
-                       fmt::format("{} entries × {} bit", count(m.at("memory").at("plane_entries")),
-                                   m.at("memory").at("plane_entry_bits").dump())));
+  tiles.push_back(
+      tile("hardware memory", bits(m.at("memory").at("hardware_bits").get<std::uint64_t>()), memory_note(m)));
   tiles.push_back(tile(
       "host time", seconds(time.at("host_seconds")),
       time.at("simulation_mcycles_per_second").is_null()
@@ -83,6 +109,8 @@ std::string light_text(const Json& light) {
 
 Json summary_section(const Json& m) {
   Json view = verdict_view(m.at("compare"));
+  view["shadow_source"] =
+      m.at("slb").is_null() ? "the voxel states" : "the silhouette-line buffer, asked at every sample";
   view["title"] = m.at("scene").at("name");
   view["source"] = m.at("scene").at("source");
   view["started"] = m.at("started");

@@ -39,13 +39,24 @@ std::string wall_text(const Json& metrics, std::string_view stage) {
 
 std::string configuration_line(const Json& m) {
   const Json& h = m.at("hardware");
-  return fmt::format(
-      "{} · {}³ voxels, {}-adjacent · plane {}², pitch {} · VOXEL_FRAC_BITS {} · NORMAL_BITS {} · "
-      "MATRIX_FRAC_BITS {} · DEPTH_BITS {}",
-      m.at("technique").get<std::string>(), m.at("grid").at("res").dump(),
-      m.at("grid").at("adjacency").dump(), m.at("plane").at("side").dump(),
-      fmt::format("{:g}", m.at("plane").at("pitch").get<double>()), h.at("VOXEL_FRAC_BITS").dump(),
-      h.at("NORMAL_BITS").dump(), h.at("MATRIX_FRAC_BITS").dump(), h.at("DEPTH_BITS").dump());
+  std::string line = fmt::format("{} · {}³ voxels, {}-adjacent", m.at("technique").get<std::string>(),
+                                 m.at("grid").at("res").dump(), m.at("grid").at("adjacency").dump());
+  const auto plane = [&](const Json& p) {
+    return fmt::format("{}², pitch {:.4g}", p.at("side").dump(), p.at("pitch").get<double>());
+  };
+  const auto list = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) line += fmt::format(" · {} {}", name, h.at(name).dump());
+  };
+  if (!m.at("plane").is_null()) {
+    line += " · plane " + plane(m.at("plane"));
+    list({"VOXEL_FRAC_BITS", "NORMAL_BITS", "MATRIX_FRAC_BITS"});
+  }
+  if (!m.at("slb").is_null()) {
+    line += " · silhouette-line buffer " + plane(m.at("slb"));
+    list({"FRAC_BITS", "SLOPE_BITS", "FRAGS_PER_PIXEL"});
+  }
+  list({"DEPTH_BITS"});
+  return line;
 }
 
 }  // namespace gnomon::report

@@ -55,7 +55,7 @@ Json cycle_section(const Json& m) {
   const auto all = cycles.at("total").get<std::uint64_t>();
   Json passes = Json::array();
   for (const auto& [name, pass] : cycles.at("by_pass").items())
-    passes.push_back(pass_row(name, pass, longest, all));
+    if (pass.at("total") != 0) passes.push_back(pass_row(name, pass, longest, all));
   Json causes = Json::array();
   for (const Cause& cause : kCauses) causes.push_back({{"name", cause.name}, {"style", cause.style}});
   return {{"cycles", {{"passes", passes}, {"causes", causes}, {"total", with_commas(all)}}}};

@@ -101,10 +101,19 @@ struct DoubleRecord {
   std::uint64_t differing_unambiguous = 0;  ///< of these, unambiguous ones
 };
 
-/// As built, and in double where the technique has such a form.
+/// A plain shadow map over the same area (docs/error-metrics.md, "Shadow map").
+struct ShadowMapRecord {
+  std::uint32_t side = 0;         ///< pixels
+  std::uint64_t memory_bits = 0;  ///< depth codes alone
+  ErrorRecord error;              ///< displacement in the technique's pixels, not in the map's
+};
+
+/// As built, and in double where the technique has such a form; what shadow maps would give.
 struct ErrorsRecord {
+  double pitch = 1;  ///< voxels per entry or pixel, the unit of displacements
   ErrorRecord fixed;
   std::optional<DoubleRecord> in_double;
+  std::vector<ShadowMapRecord> shadow_maps;
 };
 
 /// Cycles of one pass by cause, both by their names in docs/command-stream.md.
@@ -128,6 +137,17 @@ struct PlaneRecord {
   std::uint32_t side = 0;  ///< entries
   std::uint64_t entries_hit = 0;
   double pitch = 1;  ///< voxels per entry
+};
+
+/// How the silhouette-line buffer's plane was used.
+struct SlbRecord {
+  std::uint32_t side = 0;                      ///< pixels
+  double pitch = 1;                            ///< voxels per pixel
+  std::uint64_t entry_bits = 0, row_bits = 0;  ///< of an entry as stored; of the scratch memory's rows, each
+  std::uint64_t pixel_scratch_bits = 0;        ///< of the scratch memory, each pixel
+  std::array<std::uint64_t, 5> pixels_by_fragments{};  ///< entries with 0..4 fragments; all 0 if not read
+  std::uint64_t full_pixels = 0;                       ///< entries with a full depth
+  std::uint64_t overflow_pixels = 0;                   ///< entries where something did not fit
 };
 
 /// A register as it was programmed.
@@ -156,12 +176,13 @@ struct RunRecord {
   std::vector<ObjectRecord> objects;
   std::vector<std::string> warnings;  ///< what reading the models ignored or repaired
   voxel::VoxelStatistics voxel_statistics;
-  std::uint64_t voxels = 0;
+  std::uint64_t voxels = 0, voxels_in_shadow = 0;
 
   golden::HardwareConfig hardware;
   std::vector<RegisterRecord> registers;
   std::uint64_t command_words = 0;
-  PlaneRecord plane;
+  std::optional<PlaneRecord> plane;  ///< of the projection unit, if the technique uses it
+  std::optional<SlbRecord> slb;
 
   CompareRecord compare;
   std::map<std::string, std::uint64_t> events;  ///< event counters of docs/command-stream.md

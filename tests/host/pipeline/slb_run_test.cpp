@@ -2,6 +2,7 @@
 // Runs in which silhouettes decide: their shadows' borders are far finer than the plane.
 #include <gmock/gmock.h>
 
+#include "host/render/png_file.hpp"
 #include "tests/host/pipeline/small_scene.hpp"
 
 namespace gnomon::pipeline {
@@ -23,7 +24,15 @@ TEST_F(SlbRunTest, BordersAreFinerThanPixelsAndEveryWordIsCompared) {
   EXPECT_EQ(outcome->exit_status(), 0) << outcome->compare.text;
   const nlohmann::json m = metrics();
   EXPECT_EQ(m["compare"]["differing"], 0);
-  EXPECT_EQ(m["compare"]["words"].get<std::uint64_t>(), m["events"]["SLB_QUERIES"].get<std::uint64_t>() + 1);
+  // An answer a query, a fence, and the plane: a word and four raw words an entry.
+  EXPECT_EQ(m["compare"]["words"].get<std::uint64_t>(),
+            m["events"]["SLB_QUERIES"].get<std::uint64_t>() + 1 + 5 * 32 * 32);
+  EXPECT_GT(m["slb"]["pixels_by_fragments"][1].get<std::uint64_t>(), 50u);
+  EXPECT_EQ(m["slb"]["overflow_pixels"], 0);
+  EXPECT_EQ(m["errors"]["shadow_maps"].size(), 2u);
+  EXPECT_GT(m["errors"]["shadow_maps"][0]["ground"]["boundary_displacement"].get<double>(),
+            20 * m["errors"]["fixed"]["ground"]["boundary_displacement"].get<double>());
+  EXPECT_TRUE(render::read_png(output() / "memory.png"));
   EXPECT_EQ(m["events"]["SLB_OBJECTS"], 1) << "the ground casts nothing and is left out";
   EXPECT_EQ(m["hardware"]["EN_VPU_OFFSET"], false);
   EXPECT_EQ(m["hardware"]["EN_SLB"], true);

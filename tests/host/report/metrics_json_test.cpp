@@ -56,6 +56,21 @@ TEST(Metrics, FiguresAddUp) {
   EXPECT_DOUBLE_EQ(all["share"], all["mislabelled"].get<double>() / 217000);
 }
 
+TEST(Metrics, TheSilhouetteLineBufferHasItsOwnFigures) {
+  const ordered_json m = metrics_json(slb_record());
+  EXPECT_TRUE(m["plane"].is_null());
+  EXPECT_EQ(m["slb"]["pixels"], 65536);
+  EXPECT_DOUBLE_EQ(m["cycles"]["slb"]["cycles_per_crossing"], 1.05);
+  EXPECT_DOUBLE_EQ(m["cycles"]["slb"]["fill_pixels_per_cycle"], 12.0);
+  EXPECT_DOUBLE_EQ(m["slb"]["queries_overflow_share"], 0.00025);
+  EXPECT_EQ(m["run_time"]["cycles"], 258 + 2100 + 4000 + 1000005) << "reading the plane back decides nothing";
+  EXPECT_EQ(m["memory"]["slb_plane_bits"], 65536 * 256);
+  EXPECT_EQ(m["memory"]["hardware_bits"], 65536 * (256 + 11) + 256 * 8);
+  EXPECT_EQ(m["hardware"]["FRAC_BITS"], 7);
+  EXPECT_EQ(m["errors"]["shadow_maps"][1]["memory_bits"], 32768ull * 32768 * 20);
+  EXPECT_TRUE(metrics_json(sample_record())["slb"].is_null());
+}
+
 TEST(Metrics, GoldenAloneHasNoCyclesAndNoVerdict) {
   const ordered_json m = metrics_json(golden_record());
   EXPECT_TRUE(m["cycles"].is_null());
@@ -106,6 +121,7 @@ TEST(Metrics, EveryKeyIsDocumented) {
   ASSERT_FALSE(page.empty()) << GNOMON_REPORT_DOC;
   std::set<std::string> keys;
   collect(metrics_json(failing_record()), keys);
+  collect(metrics_json(slb_record()), keys);
   ASSERT_GT(keys.size(), 100u);
   for (const std::string& key : keys) {
     const bool documented =

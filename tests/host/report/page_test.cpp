@@ -63,6 +63,18 @@ TEST(Page, ATechniqueWithoutAFormInDoubleHasNoSuchLine) {
   EXPECT_TRUE(metrics_json(record)["errors"]["double"].is_null());
 }
 
+TEST(Page, TheSilhouetteLineBufferIsShownBesideShadowMaps) {
+  const std::string html =
+      report_page(metrics_json(slb_record()), {"image", "reference!", "error bytes", "lines"});
+  EXPECT_THAT(html, HasSubstr("data:image/png;base64,bGluZXM="));
+  EXPECT_THAT(html, HasSubstr("shadow map 256²"));
+  EXPECT_THAT(html, HasSubstr("shadow map 32768²"));
+  EXPECT_THAT(html, HasSubstr("FRAGS_PER_PIXEL 2"));
+  EXPECT_THAT(html, HasSubstr("pixels with 2 fragments"));
+  EXPECT_THAT(html, Not(HasSubstr("Projection plane")));
+  EXPECT_THAT(page_of(sample_record()), Not(HasSubstr("Silhouette-line buffer")));
+}
+
 TEST(Page, EverythingGivenIsEscaped) {
   RunRecord record = failing_record();
   const std::string evil = "<script>alert('x')</script>&\"";

@@ -48,10 +48,12 @@ RunRecord sample_record() {
   r.warnings = {"scenes/sundial.obj:12: vt and vn are not used"};
   r.voxel_statistics = {260000, 219000, 0, 3, 0.021};
   r.voxels = 217000;
+  r.voxels_in_shadow = 71000;
   r.hardware.voxel_bits = 7;
   r.registers = {{"MATRIX_UX", 1048576, 24, true, 22}, {"OFFSET_FACTOR", 1455, 18, false, 16}};
   r.command_words = 434030;
-  r.plane = {256, 31000, 1.0};
+  r.plane = PlaneRecord{256, 31000, 1.0};
+  r.errors.pitch = 1.0;
   r.compare = {true, 217001, 0, 0, "", nullptr};
   r.events = {{"COMMANDS", 13},
               {"VOXELS_PROJECTED", 217000},
@@ -66,7 +68,7 @@ RunRecord sample_record() {
               {"PROJECT", {{"BUSY", 217004}, {"HAZARD", 130}}},
               {"RESOLVE", {{"BUSY", 217008}, {"OUTPUT_BLOCKED", 1900}, {"MEMORY_WAIT", 25}}},
               {"READ", {}}};
-  r.errors = {error_record(940), DoubleRecord{error_record(925), 61, 4}};
+  r.errors = {1.0, error_record(940), DoubleRecord{error_record(925), 61, 4}, {}};
   r.exact = {181000, 0.0009, 0.002, 3400000};
   r.picture = {960, 720, {1800000, 5200, 4100}, 0.981, 0.0123};
   r.stages = {
@@ -75,6 +77,28 @@ RunRecord sample_record() {
       {"rtl engine", 0.11, 0.11},      {"decode", 0.002, 0.002},      {"double reference", 0.02, 0.02},
       {"exact reference", 1.2, 2.3},   {"errors", 0.04, 0.04},        {"picture", 0.4, 0.79},
       {"reference picture", 0.5, 0.9}, {"error map", 0.01, 0.01}};
+  return r;
+}
+
+RunRecord slb_record() {
+  RunRecord r = sample_record();
+  r.technique = "slb";
+  r.plane.reset();
+  r.errors.in_double.reset();
+  r.errors.pitch = 0.6;
+  r.errors.shadow_maps = {{256, 256 * 256 * 20, error_record(5000)}, {32768, 21474836480, error_record(900)}};
+  r.hardware.en_slb = true;
+  r.hardware.en_vpu_offset = false;
+  r.slb = SlbRecord{256, 0.6, 256, 8, 11, {60000, 5000, 536, 0, 0}, 23903, 3};
+  r.events = {{"SLB_CROSSINGS", 2000},
+              {"SLB_QUERIES", 1000000},
+              {"SLB_QUERIES_OVERFLOW", 250},
+              {"SLB_FILL_PIXELS", 48000}};
+  r.cycles = {{"CLEAR", {{"BUSY", 258}}},
+              {"DRAW", {{"BUSY", 2000}, {"HAZARD", 100}}},
+              {"FILL", {{"BUSY", 4000}}},
+              {"QUERY", {{"BUSY", 1000000}, {"HAZARD", 5}}},
+              {"READ", {{"BUSY", 65536}}}};
   return r;
 }
 

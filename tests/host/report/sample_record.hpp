@@ -9,6 +9,8 @@ namespace gnomon::report {
 RunRecord sample_record();
 /// The same run on the golden engine alone.
 RunRecord golden_record();
+/// The same scene on the silhouette-line buffer.
+RunRecord slb_record();
 /// The same run with a word that differs.
 RunRecord failing_record();
 
