@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "host/outline/partition.hpp"
+#include "host/outline/sides.hpp"
 #include "host/surface/borders.hpp"
 
 namespace gnomon::outline {
@@ -55,7 +57,9 @@ class Joiner {
         topology_(topology),
         traces_(traces),
         sampling_(sampling),
-        curves_(topology.curves) {
+        curves_(topology.curves),
+        sides_(traces.size(), Sides::Facing) {
+    choose_sides();
     collect_stops();
   }
 
@@ -68,6 +72,29 @@ class Joiner {
 
  private:
   const SideOnCurve& side(std::uint32_t face, std::uint32_t s) const { return topology_.sides[face][s]; }
+
+  /// For each open part, by its boundary in pieces of a pixel or less.
+  void choose_sides() {
+    std::map<std::uint32_t, std::vector<BoundaryPiece>> boundaries;
+    for (const BoundaryHalf& half : topology_.boundary) add_pieces(half, boundaries[half.part]);
+    for (const auto& [part, pieces] : boundaries) {
+      sides_[part] = sides_to_send(pieces, view_.mirrored());
+      out_.doubled_parts += sides_[part] == Sides::Both ? 1U : 0U;
+    }
+  }
+
+  void add_pieces(const BoundaryHalf& half, std::vector<BoundaryPiece>& pieces) const {
+    constexpr int kLeast = 4;
+    constexpr double kMost = 256;
+    const auto at = [&](double s) {
+      const Vertex v = on_curve(half.curve, half.t0 + s * (half.t1 - half.t0));
+      return Vec2(v.x, v.y);
+    };
+    double pixels = 0;
+    for (int i = 0; i < kLeast; ++i) pixels += (at(double(i + 1) / kLeast) - at(double(i) / kLeast)).length();
+    const int n = std::max(kLeast, static_cast<int>(std::min(kMost, pixels)));
+    for (int i = 0; i < n; ++i) pieces.push_back({at(double(i) / n), at(double(i + 1) / n), half.times});
+  }
 
   void collect_stops() {
     for (std::uint32_t face = 0; face < traces_.size(); ++face)
@@ -111,7 +138,7 @@ class Joiner {
 
   void add_face(std::uint32_t face) {
     const FaceTrace& trace = traces_[face];
-    const bool open = topology_.open[face];
+    const Sides sides = sides_[topology_.part[face]];
     const auto first = static_cast<std::uint32_t>(out_.graph.points.size());
     out_.graph.points.insert(out_.graph.points.end(), trace.points.begin(), trace.points.end());
     const auto end = [&](const FaceTrace::End& e) {
@@ -122,13 +149,13 @@ class Joiner {
     };
     for (const FaceTrace::Arc& arc : trace.arcs) {
       const std::uint32_t from = end(arc.from);
-      out_.graph.add(from, end(arc.to), open ? 2 : 1);
+      out_.graph.add(from, end(arc.to), contour_times(sides));
     }
     for (const FaceTrace::Stretch& s : trace.stretches) {
-      if (!s.plus && !open) continue;
+      const int times = stretch_times(sides, s.plus);
+      if (times == 0) continue;
       const SideOnCurve& on = side(face, s.side);
       CurveStops& curve = curves_[on.curve];
-      const int times = s.plus ? 1 : -1;
       curve.changes[curve.nearest(on.at(s.from))] += times;
       curve.changes[curve.nearest(on.at(s.to))] -= times;
     }
@@ -198,6 +225,7 @@ class Joiner {
   std::span<const FaceTrace> traces_;
   BorderSampling sampling_;
   std::vector<CurveStops> curves_;
+  std::vector<Sides> sides_;  // of parts
   Partition stops_{0};
   std::vector<std::uint32_t> node_;  // in the graph, of each set of stops
   JoinedArcs out_;

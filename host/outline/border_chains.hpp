@@ -19,6 +19,7 @@ struct BorderSampling {
 struct JoinedArcs {
   ArcGraph graph;
   std::size_t border_vertices = 0;
+  std::size_t doubled_parts = 0;  ///< of which both sides are sent
 };
 
 /// `traces` holds one entry a face.

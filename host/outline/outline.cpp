@@ -59,6 +59,7 @@ class Outliner {
                                   std::min(1.0, options_.max_edge)};
     const JoinedArcs arcs = join_traces(surface, view_, topology, traces, sampling);
     out.statistics.border_vertices = arcs.border_vertices;
+    out.statistics.doubled_parts = arcs.doubled_parts;
     add_loops(link_loops(arcs.graph), out);
     return out;
   }

@@ -37,7 +37,8 @@ struct Statistics {
   std::size_t faces = 0;               ///< parametric faces, or triangles of polygons
   std::size_t contour_faces = 0;       ///< with the contour inside
   std::size_t cells = 0;               ///< rectangles of parameter space that were looked at
-  std::size_t open_parts = 0;          ///< connected parts that are no closed surface: both their sides cast
+  std::size_t open_parts = 0;          ///< connected parts that are no closed surface
+  std::size_t doubled_parts = 0;       ///< open parts of which both sides are sent
   std::size_t boundary_edges = 0;      ///< of one face (edges of the cage, middles of n-gons' edges divide)
   std::size_t non_manifold_edges = 0;  ///< of three faces or more, or of two that disagree about the winding
   std::size_t contour_vertices = 0;    ///< points found where N.L = 0, before thinning
@@ -47,8 +48,9 @@ struct Statistics {
 };
 
 /// One object's silhouettes. The winding number of all its loops at a point of the plane is the number of
-/// its sheets there that face the light; over parts that are not closed, the number of all sheets. So it is
-/// at least 1 exactly in the shadow (of that object, up to the error in docs/outline.md).
+/// its sheets there that face the light; for open parts it may be the number of those that do not, or of all
+/// (docs/outline.md, "Which chain of edges"). It is at least 1 exactly in the shadow of that object, up to
+/// the error stated there.
 struct ObjectOutline {
   std::uint32_t object = 0;  ///< index of the surface
   std::vector<Loop> loops;

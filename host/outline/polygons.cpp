@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outlines of polygon meshes: triangles face the light or do not, edges add up.
 #include <algorithm>
+#include <map>
 
 #include "host/outline/ears.hpp"
 #include "host/outline/facing.hpp"
 #include "host/outline/loops.hpp"
 #include "host/outline/partition.hpp"
+#include "host/outline/sides.hpp"
 #include "host/outline/thinning.hpp"
 
 namespace gnomon::outline {
@@ -48,7 +50,8 @@ class PolygonOutliner {
       : view_(view), triangles_(triangles_of(mesh)), sides_(sorted_sides(triangles_)) {
     for (const Triangle& t : triangles_) plus_.push_back(triangle_faces_light(mesh, t, view));
     for (const Vec3& p : mesh.positions) graph_.add(view.vertex(p));
-    find_open_parts();
+    find_parts();
+    choose_sides();
   }
 
   ObjectOutline run(std::uint32_t object) {
@@ -57,7 +60,7 @@ class PolygonOutliner {
     for_each_edge([&](std::span<const Side> edge) {
       int times = 0;
       for (const Side& s : edge)
-        times += plus_[s.triangle] ? s.direction : (open_[s.triangle] ? -s.direction : 0);
+        times += s.direction * stretch_times(sides_to_send_[part_[s.triangle]], plus_[s.triangle]);
       graph_.add(edge.front().low, edge.front().high, times);
       out_.statistics.border_vertices += times != 0 ? 1 : 0;
     });
@@ -76,22 +79,34 @@ class PolygonOutliner {
     }
   }
 
-  void find_open_parts() {
+  void find_parts() {
     Partition parts(triangles_.size());
     for_each_edge([&](std::span<const Side> edge) {
       for (const Side& s : edge) parts.join(edge.front().triangle, s.triangle);
     });
-    std::vector<bool> open(triangles_.size(), false);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) part_.push_back(parts.find(t));
+  }
+
+  void choose_sides() {
+    std::map<std::uint32_t, std::vector<BoundaryPiece>> boundaries;
     for_each_edge([&](std::span<const Side> edge) {
       int sum = 0;
       for (const Side& s : edge) sum += s.direction;
-      if (sum != 0) open[parts.find(edge.front().triangle)] = true;
+      if (sum != 0)
+        boundaries[part_[edge.front().triangle]].push_back(
+            {at(edge.front().low), at(edge.front().high), sum});
       if (edge.size() == 1) ++out_.statistics.boundary_edges;
       if (edge.size() > 2 || (edge.size() == 2 && sum != 0)) ++out_.statistics.non_manifold_edges;
     });
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) open_.push_back(open[parts.find(t)]);
-    out_.statistics.open_parts = static_cast<std::size_t>(std::count(open.begin(), open.end(), true));
+    sides_to_send_.assign(triangles_.size(), Sides::Facing);
+    for (const auto& [part, pieces] : boundaries) {
+      sides_to_send_[part] = sides_to_send(pieces, view_.mirrored());
+      out_.statistics.doubled_parts += sides_to_send_[part] == Sides::Both ? 1U : 0U;
+    }
+    out_.statistics.open_parts = boundaries.size();
   }
+
+  Vec2 at(std::uint32_t vertex) const { return {graph_.points[vertex].x, graph_.points[vertex].y}; }
 
   void keep(Loop& loop) {
     if (on_a_line(loop)) {
@@ -106,7 +121,9 @@ class PolygonOutliner {
   const LightView& view_;
   std::vector<Triangle> triangles_;
   std::vector<Side> sides_;
-  std::vector<bool> plus_, open_;  // of each triangle
+  std::vector<bool> plus_;            // of each triangle
+  std::vector<std::uint32_t> part_;   // of each triangle
+  std::vector<Sides> sides_to_send_;  // of parts
   ArcGraph graph_;
   ObjectOutline out_;
 };

@@ -42,11 +42,15 @@ class TopologyFinder {
   }
 
   Topology run() {
+    for (std::uint32_t face = 0; face < out_.sides.size(); ++face) out_.part.push_back(parts_.find(face));
     std::vector<bool> open(out_.sides.size(), false);
-    for (const Half& half : halves_)
-      if (half.sum != 0) open[parts_.find(half.face)] = true;
-    for (std::uint32_t face = 0; face < out_.sides.size(); ++face)
-      out_.open.push_back(open[parts_.find(face)]);
+    for (std::uint32_t i = 0; i < halves_.size(); ++i) {
+      const Half& half = halves_[i];
+      if (half.sum == 0) continue;
+      const double t0 = i % 2 == 0 ? 0 : 0.5;
+      out_.boundary.push_back({i / 2, t0, t0 + 0.5, half.sum, out_.part[half.face]});
+      open[out_.part[half.face]] = true;
+    }
     count();
     out_.counts.open_parts = static_cast<std::size_t>(std::count(open.begin(), open.end(), true));
     return std::move(out_);

@@ -45,10 +45,16 @@ TEST(Polygons, WindingIsTheNumberOfSheets) {
         const double x = unit(random);
         const double y = unit(random);
         const Sheets::Count count = sheets.at(x, y);
-        const int expected = c.open ? count.facing + count.averted : count.facing;
-        EXPECT_EQ(loops.winding(x, y), expected) << x << ", " << y;
+        const int all = count.facing + count.averted;
+        const int winding = loops.winding(x, y);
+        EXPECT_EQ(winding >= 1, all > 0) << x << ", " << y << ": " << winding << ", not " << all;
+        if (!c.open) {
+          EXPECT_EQ(winding, count.facing);
+        } else if (outline.statistics.doubled_parts > 0) {
+          EXPECT_EQ(winding, all);
+        }
         ++asked;
-        in_shadow += expected > 0 ? 1U : 0U;
+        in_shadow += all > 0 ? 1U : 0U;
       }
     }
   }
