@@ -42,6 +42,7 @@ class Command {
 std::unique_ptr<Command> make_doctor_command();
 std::unique_ptr<Command> make_params_command();
 std::unique_ptr<Command> make_run_command();
+std::unique_ptr<Command> make_slb_command();
 std::unique_ptr<Command> make_verify_command();
 std::unique_ptr<Command> make_voxelize_command();
 std::unique_ptr<Command> make_wave_command();

@@ -51,6 +51,13 @@ void add_set_option(CLI::App& command, std::vector<std::string>& flags) {
       ->allow_extra_args(false);
 }
 
+Result<config::Settings> load_settings(const std::vector<std::string>& set_flags) {
+  Result<std::vector<config::Assignment>> flags = from_flags(set_flags);
+  if (!flags) return tl::make_unexpected(flags.error());
+  const std::vector<std::vector<config::Assignment>> sources{from_environment(), std::move(*flags)};
+  return config::Settings::resolve(sources);
+}
+
 Result<LoadedScene> load_input(Context& context, const std::filesystem::path& path,
                                const std::vector<std::string>& set_flags,
                                const std::vector<config::Assignment>& presets) {

@@ -24,6 +24,9 @@ struct LoadedScene {
 /// "--set key=value", repeatable.
 void add_set_option(CLI::App& command, std::vector<std::string>& flags);
 
+/// The parameters of a command without a scene: flag > environment > default.
+Result<config::Settings> load_settings(const std::vector<std::string>& set_flags);
+
 /// Resolves the parameters (flag > environment > scene file > `presets` > default), loads the scene and logs
 /// what was ignored or repaired.
 Result<LoadedScene> load_input(Context& context, const std::filesystem::path& path,

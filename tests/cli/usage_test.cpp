@@ -31,7 +31,7 @@ TEST(Help, EveryCommandHasOneWithAnExample) {
   const Outcome program = run_gnomon({"--help"});
   EXPECT_EQ(program.status, 0);
   EXPECT_EQ(program.err, "");
-  for (const std::string command : {"run", "verify", "voxelize", "wave", "params", "doctor"}) {
+  for (const std::string command : {"run", "verify", "voxelize", "slb", "wave", "params", "doctor"}) {
     SCOPED_TRACE(command);
     EXPECT_THAT(program.out, HasSubstr("\n  " + command + " "));
     const Outcome help = run_gnomon({command, "--help"});
@@ -89,7 +89,7 @@ TEST_F(ParameterMessages, NameTheirOrigin) {
   expect_refusal(voxelize({"--res", "9"}), "command line: error: res=9 is out of range 16..2048\n");
   expect_refusal(voxelize({"--adjacency", "7"}), "adjacency=7 is out of range 6 | 18 | 26\n");
   expect_refusal(voxelize({"--set", "res"}), "expected --set key=value");
-  expect_refusal(voxelize({"--set", "frac_bits=9"}), "not in this build");
+  expect_refusal(voxelize({"--set", "frac_bits=9"}), "frac_bits=9 is out of range 3..8");
   HowToRun how;
   how.environment = {"GNOMON_SET_RES=big"};
   expect_refusal(voxelize({}, how), "environment GNOMON_SET_RES: error: res=big is not an integer\n");
