@@ -3,79 +3,136 @@
 #include "host/voxel/completion.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <tuple>
 
 namespace gnomon::voxel {
 namespace {
 
-using Int3 = std::array<std::int64_t, 3>;
-
-constexpr std::int64_t kVoxel = std::int64_t{1} << kFractionBits;
-
-Int3 minus(const Int3& a, const Int3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Int3 cross(const Int3& a, const Int3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// Doubled cube centre and half sizes keep everything integral: the cube is [-1,1]^3 voxels at twice the
-// scale. Magnitudes: coordinates below 2^(8+17), edges 2^26, normals 2^53, products with normals via
-// __int128.
 __extension__ using Wide = __int128;
 
-Wide dot(const Int3& a, const Int3& b) {
-  return static_cast<Wide>(a[0]) * b[0] + static_cast<Wide>(a[1]) * b[1] + static_cast<Wide>(a[2]) * b[2];
-}
+constexpr int kDoubledBits = kFractionBits + 1;
+constexpr std::uint32_t kMostVoxelsInInt64 = 8;
 
-bool separated_along(const Int3& axis, const std::array<Int3, 3>& t) {
-  const Wide a = dot(axis, t[0]);
-  const Wide b = dot(axis, t[1]);
-  const Wide c = dot(axis, t[2]);
-  const Wide reach = static_cast<Wide>(kVoxel) * (std::abs(axis[0]) + std::abs(axis[1]) + std::abs(axis[2]));
-  return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
-}
+// Which cubes of side 1 voxel a triangle touches, by separating axes. Coordinates are doubled, so that
+// centres of cubes are integers, and relative to a voxel. Over 8 voxels they stay below 2^20, normals below
+// 2^41, products of the two below 3 * 2^61.
+template <class Int>
+class TouchTest {
+ public:
+  using Point = std::array<Int, 3>;
 
-// `t` in doubled units, relative to the cube's centre.
-bool touches(const std::array<Int3, 3>& t) {
-  const std::array<Int3, 3> edges{minus(t[1], t[0]), minus(t[2], t[1]), minus(t[0], t[2])};
-  constexpr std::array<Int3, 3> kAxes{Int3{1, 0, 0}, Int3{0, 1, 0}, Int3{0, 0, 1}};
-  if (separated_along(cross(edges[0], edges[1]), t)) return false;
-  for (const Int3& axis : kAxes) {
-    if (separated_along(axis, t)) return false;
-    for (const Int3& e : edges) {
-      if (separated_along(cross(axis, e), t)) return false;
+  explicit TouchTest(const std::array<Point, 3>& t)
+      : triangle_(t), edges_{minus(t[1], t[0]), minus(t[2], t[1]), minus(t[0], t[2])} {}
+
+  /// Where triangle and cubes share one layer of voxels across axis k, it is enough to look along that axis.
+  void look_along(std::size_t k) {
+    Point axis{};
+    axis[k] = 1;
+    for (const Point& edge : edges_) add(cross(axis, edge));
+  }
+  void look_from_everywhere() {
+    add(cross(edges_[0], edges_[1]));
+    for (std::size_t k = 0; k < 3; ++k) look_along(k);
+  }
+
+  /// Only for cubes that touch the triangle's box.
+  bool touches(const Point& cube) const {
+    const auto separates = [&](const Axis& axis) {
+      const Int at = dot(axis.direction, cube);
+      return at < axis.low || at > axis.high;
+    };
+    return std::none_of(axes_.begin(), axes_.begin() + count_, separates);
+  }
+
+ private:
+  struct Axis {
+    Point direction;
+    Int low, high;  // of cubes' centres that it does not separate
+  };
+
+  static Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+  static Point cross(const Point& a, const Point& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  static Int dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static Int magnitude(Int a) { return a < 0 ? -a : a; }
+
+  void add(const Point& direction) {
+    const auto [low, high] = std::minmax(
+        {dot(direction, triangle_[0]), dot(direction, triangle_[1]), dot(direction, triangle_[2])});
+    const Int reach = (magnitude(direction[0]) + magnitude(direction[1]) + magnitude(direction[2])) *
+                      (Int{1} << kFractionBits);
+    axes_[static_cast<std::size_t>(count_++)] = {direction, low - reach, high + reach};
+  }
+
+  std::array<Point, 3> triangle_;
+  std::array<Point, 3> edges_;
+  std::array<Axis, 10> axes_{};
+  std::ptrdiff_t count_ = 0;
+};
+
+// The voxels whose closed cubes meet a triangle's box.
+struct VoxelBox {
+  std::array<std::uint32_t, 3> low{}, high{};
+
+  VoxelBox(const Triangle& triangle, std::uint32_t res) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax({triangle[0][k], triangle[1][k], triangle[2][k]});
+      // A point on a wall touches the voxels on both sides of it.
+      low[k] = a == 0 ? 0 : (a - 1) >> kFractionBits;
+      high[k] = std::min(b >> kFractionBits, res - 1);
     }
   }
-  return true;
+  bool thin(std::size_t k) const { return low[k] == high[k]; }
+  std::uint32_t size() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) + 1; }
+
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
+      for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+        for (std::uint32_t x = low[0]; x <= high[0]; ++x) visit(x, y, z);
+      }
+    }
+  }
+};
+
+template <class Int>
+void visit_touched(const Triangle& triangle, const VoxelBox& box,
+                   const std::function<void(VoxelKey)>& visit) {
+  using Point = typename TouchTest<Int>::Point;
+  std::array<Point, 3> t{};
+  for (std::size_t v = 0; v < 3; ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      t[v][k] = 2 * static_cast<Int>(triangle[v][k]) - (static_cast<Int>(box.low[k]) << kDoubledBits);
+    }
+  }
+  TouchTest<Int> test(t);
+  if (box.thin(0) || box.thin(1) || box.thin(2)) {
+    test.look_along(box.thin(0) ? 0 : box.thin(1) ? 1 : 2);
+  } else {
+    test.look_from_everywhere();
+  }
+  box.for_each([&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    const auto centre = [](std::uint32_t voxel) {
+      return (2 * static_cast<Int>(voxel) + 1) << kFractionBits;
+    };
+    if (test.touches({centre(x - box.low[0]), centre(y - box.low[1]), centre(z - box.low[2])}))
+      visit(pack(x, y, z));
+  });
 }
 
 }  // namespace
 
 void for_each_touched(const Triangle& triangle, std::uint32_t res,
                       const std::function<void(VoxelKey)>& visit) {
-  std::array<std::uint32_t, 3> low{};
-  std::array<std::uint32_t, 3> high{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto [a, b] = std::minmax({triangle[0][k], triangle[1][k], triangle[2][k]});
-    // A point on a wall touches the voxels on both sides of it.
-    low[k] = a == 0 ? 0 : (a - 1) >> kFractionBits;
-    high[k] = std::min(b >> kFractionBits, res - 1);
-  }
-  if (low == high) return visit(pack(low[0], low[1], low[2]));
-  for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
-    for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
-      for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
-        const Int3 centre{(2 * std::int64_t{x} + 1) * kVoxel, (2 * std::int64_t{y} + 1) * kVoxel,
-                          (2 * std::int64_t{z} + 1) * kVoxel};
-        std::array<Int3, 3> t{};
-        for (std::size_t v = 0; v < 3; ++v) {
-          for (std::size_t k = 0; k < 3; ++k) t[v][k] = 2 * std::int64_t{triangle[v][k]} - centre[k];
-        }
-        if (touches(t)) visit(pack(x, y, z));
-      }
-    }
+  const VoxelBox box(triangle, res);
+  const int thin = int{box.thin(0)} + int{box.thin(1)} + int{box.thin(2)};
+  if (thin >= 2) {  // a row of voxels, all of which it must pass
+    box.for_each([&](std::uint32_t x, std::uint32_t y, std::uint32_t z) { visit(pack(x, y, z)); });
+  } else if (box.size() <= kMostVoxelsInInt64) {
+    visit_touched<std::int64_t>(triangle, box, visit);
+  } else {
+    visit_touched<Wide>(triangle, box, visit);
   }
 }
 

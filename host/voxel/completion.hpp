@@ -14,8 +14,7 @@ namespace gnomon::voxel {
 
 using Triangle = std::array<GridPoint, 3>;
 
-/// Calls `visit` for every voxel whose closed cube meets the closed triangle, inside the grid. Exact for
-/// triangles that span less than 256 voxels.
+/// Calls `visit` for every voxel of the grid whose closed cube meets the closed triangle. Exact.
 void for_each_touched(const Triangle& triangle, std::uint32_t res,
                       const std::function<void(VoxelKey)>& visit);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packing, rounding, adjacency, bricks and exact triangle tests, against the obvious.
+// Packing, rounding, adjacency and bricks, against the obvious.
 #include "host/voxel/voxel_key.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "host/voxel/brick_set.hpp"
-#include "host/voxel/completion.hpp"
 
 namespace gnomon::voxel {
 namespace {
@@ -108,65 +107,6 @@ TEST(BrickSet, IsASet) {
     RC_ASSERT(merged.size() == expected.size());
     for (const VoxelKey k : expected) RC_ASSERT(merged.contains(k));
   }));
-}
-
-std::set<VoxelKey> touched(const Triangle& t) {
-  std::set<VoxelKey> out;
-  for_each_touched(t, 16, [&](VoxelKey k) { out.insert(k); });
-  return out;
-}
-
-TEST(Completion, TouchesWhatSamplesOfTheTriangleTouch) {
-  EXPECT_TRUE(holds([] {
-    Triangle t{};
-    for (auto& p : t) {
-      for (auto& c : p) c = *rc::gen::inRange<std::uint32_t>(0, 5U << 16);
-    }
-    const auto found = touched(t);
-    std::size_t hit = 0;
-    for (int i = 0; i <= 40; ++i) {
-      for (int j = 0; i + j <= 40; ++j) {
-        std::array<std::uint32_t, 3> p{};
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double x = (t[0][k] * (40.0 - i - j) + t[1][k] * static_cast<double>(i) +
-                            t[2][k] * static_cast<double>(j)) /
-                           40;
-          p[k] = static_cast<std::uint32_t>(x / 65536);
-        }
-        hit += found.contains(pack(p[0], p[1], p[2])) ? 1U : 0U;
-      }
-    }
-    RC_ASSERT(hit == 861U);
-  }));
-}
-
-TEST(Completion, WallsEdgesAndCornersBelongToAllTheirVoxels) {
-  constexpr std::uint32_t kOne = 1U << 16;
-  const GridPoint corner{3 * kOne, 3 * kOne, 3 * kOne};
-  EXPECT_EQ(touched({corner, corner, corner}).size(), 8U);
-  const GridPoint inner{3 * kOne + 5, 3 * kOne + 5, 3 * kOne};
-  EXPECT_EQ(touched({inner, inner, inner}).size(), 2U);
-  const GridPoint inside{3 * kOne + 5, 3 * kOne + 5, 3 * kOne + 5};
-  EXPECT_EQ(touched({inside, inside, inside}).size(), 1U);
-  // One unit short of a diagonal plane through a corner.
-  const Triangle diagonal{GridPoint{2 * kOne, 4 * kOne - 1, 3 * kOne + 9},
-                          GridPoint{4 * kOne - 1, 2 * kOne, 3 * kOne + 9},
-                          GridPoint{3 * kOne, 3 * kOne - 1, 3 * kOne + 8}};
-  EXPECT_FALSE(touched(diagonal).contains(pack(3, 3, 3)));
-}
-
-TEST(Completion, GapsAreFoundBetweenSidesOfDifferentLength) {
-  const auto p = [](std::uint32_t x) { return GridPoint{x, x * x, 0}; };
-  BorderSide whole{{1, 0, 0, 0}, 0, 4, p(0), p(4), {}};
-  std::vector<BorderSide> sides{whole,
-                                {{1, 0, 0, 0}, 0, 2, p(0), p(2), {}},
-                                {{1, 0, 0, 0}, 2, 3, p(2), p(3), {}},
-                                {{1, 0, 0, 0}, 3, 4, p(3), p(4), {}},
-                                {{2, 0, 0, 0}, 1, 2, p(1), p(2), {}}};
-  std::vector<Triangle> gaps;
-  for_each_gap(sides, [&](const BorderSide&, const Triangle& t) { gaps.push_back(t); });
-  const std::vector<Triangle> expected{{p(0), p(2), p(3)}, {p(0), p(3), p(4)}};
-  EXPECT_EQ(gaps, expected);
 }
 
 }  // namespace
