@@ -12,7 +12,7 @@ module slb_edge_delta #(
   output logic                   forward_o,     // the major coordinate grows
   output logic                   falling_o,     // the minor coordinate falls
   output logic                   level_o,       // the minor coordinate stays
-  output logic [W-1:0]           den_o,         // |major difference|, 1 at least
+  output logic [W-1:0]           den_o,         // |major difference|; 0 only where a loop's last edge has no length
   output logic [W-1:0]           minor_abs_o,   // |minor difference| <= den
   output logic [SUBPIXEL_BITS:0] distance_o     // to the first major border ahead, 0..2^s
 );

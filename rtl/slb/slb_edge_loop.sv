@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From vertices to edges (docs/slb.md, "Loops"): drops repeats, holds a loop back until it has three vertices, closes it,
-// and finds loops that never leave their first pixel. Edges come one vertex late, so that the last one knows that it is.
+// and finds loops that never leave their first pixel. The last edge of a loop always goes to its first vertex; it has no
+// length if the vertex before is the same.
 
 `include "assertions.svh"
 
@@ -18,7 +19,7 @@ module slb_edge_loop #(
   input  logic                  in_close_i,
   input  logic [W-1:0]          in_x_i, in_y_i,
   input  logic [DEPTH_BITS-1:0] in_depth_i,
-  // Edges: their ends differ.
+  // Edges.
   output logic                  edge_valid_o,
   input  logic                  edge_ready_i,
   output logic [W-1:0]          edge_x0_o, edge_y0_o, edge_x1_o, edge_y1_o,
@@ -35,33 +36,33 @@ module slb_edge_loop #(
 
   logic [V-1:0] vertex, origin_q, before_q, last_q;  // the loop's first vertex, and its last two
   logic [1:0]   count_q;                             // of vertices: 0, 1, 2, or 3 and more
-  logic         closing_q;                           // the closing edge is still to come
+  logic         again_q;                             // the third vertex brings two edges; the second is still to come
   assign vertex = {in_x_i, in_y_i, in_depth_i};
 
   logic         edge_valid_q, edge_first_q, edge_last_q;
   logic [V-1:0] edge_from_q, edge_to_q;
 
-  logic advance, take, repeated, closed, add, emit;
+  logic advance, take, repeated, add, emit;
   assign advance    = !edge_valid_q || edge_ready_i;
-  assign in_ready_o = advance && !closing_q;
+  assign in_ready_o = advance && !again_q;
   assign take       = in_valid_i && in_ready_o;
-  assign repeated   = count_q != 2'd0 && vertex[V-1:DEPTH_BITS] == last_q[V-1:DEPTH_BITS];
-  assign closed     = origin_q[V-1:DEPTH_BITS] == last_q[V-1:DEPTH_BITS];  // needs no closing edge
+  // Of a vertex with its predecessor; at the close, of the first with the last.
+  assign repeated   = count_q != 2'd0 &&
+                      (in_close_i ? origin_q[V-1:DEPTH_BITS] : vertex[V-1:DEPTH_BITS]) == last_q[V-1:DEPTH_BITS];
   assign add        = take && !in_close_i && !repeated;
-  // The edge that the vertex before the last waits with: as soon as it is known not to be the loop's only one.
   assign emit       = in_close_i ? (take && count_q == 2'd3) : (add && count_q[1]);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       count_q      <= 2'd0;
-      closing_q    <= 1'b0;
+      again_q      <= 1'b0;
       edge_valid_q <= 1'b0;
     end else begin
       if (take && in_close_i)          count_q <= 2'd0;
       else if (add && count_q != 2'd3) count_q <= count_q + 2'd1;
       if (advance) begin
-        closing_q    <= emit && in_close_i && !closed;
-        edge_valid_q <= emit || closing_q;
+        again_q      <= emit && count_q == 2'd2;
+        edge_valid_q <= emit || again_q;
       end
     end
   end
@@ -73,10 +74,10 @@ module slb_edge_loop #(
       if (count_q == 2'd0) origin_q <= vertex;
     end
     if (advance) begin
-      edge_from_q  <= closing_q ? last_q : before_q;
-      edge_to_q    <= closing_q ? origin_q : last_q;
+      edge_from_q  <= again_q ? before_q : (count_q == 2'd2) ? origin_q : last_q;
+      edge_to_q    <= (again_q || count_q == 2'd2) ? last_q : in_close_i ? origin_q : vertex;
       edge_first_q <= count_q == 2'd2;
-      edge_last_q  <= closing_q || (in_close_i && closed);
+      edge_last_q  <= !again_q && in_close_i;
     end
   end
 
@@ -87,7 +88,7 @@ module slb_edge_loop #(
   assign {edge_x1_o, edge_y1_o, edge_depth1_o} = edge_to_q;
 
   assign event_vertex_o   = take && !in_close_i;
-  assign event_repeated_o = take && (in_close_i ? (count_q == 2'd3 && closed) : repeated);
+  assign event_repeated_o = take && repeated && (!in_close_i || count_q == 2'd3);
   assign event_loop_o     = take && in_close_i;
   assign event_short_o    = event_loop_o && count_q != 2'd3;
 
@@ -137,9 +138,10 @@ module slb_edge_loop #(
   assign event_tiny_o       = tiny_q;
   assign event_tiny_area2_o = area2_q;
 
-  assign idle_o = !edge_valid_q && !closing_q && !add_1_q && !add_2_q && !end_1_q && !end_2_q && !tiny_q;
+  assign idle_o = !edge_valid_q && !again_q && !add_1_q && !add_2_q && !end_1_q && !end_2_q && !tiny_q;
 
   `GNOMON_ASSERT_STREAM(a_edge_stable, edge_valid_o, edge_ready_i, {edge_from_q, edge_to_q, edge_first_q, edge_last_q})
-  `GNOMON_ASSERT(a_edge_has_length, !edge_valid_q || edge_from_q[V-1:DEPTH_BITS] != edge_to_q[V-1:DEPTH_BITS])
+  `GNOMON_ASSERT(a_edge_has_length,
+                 !edge_valid_q || edge_last_q || edge_from_q[V-1:DEPTH_BITS] != edge_to_q[V-1:DEPTH_BITS])
 
 endmodule

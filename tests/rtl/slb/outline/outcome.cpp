@@ -26,9 +26,22 @@ std::ostream& operator<<(std::ostream& stream, const Counts& counts) {
                 << counts.tiny_area2 << ", " << counts.crossings << " crossings";
 }
 
-Outcome expected(std::span<const Loop> loops, const SlbConfig& config) {
-  Outcome outcome;
-  const auto on_chain = [&](const Chain& chain) {
+namespace {
+
+/// Rule 1 of "Loops", by itself: vertices equal to their predecessor, and a last one equal to the first.
+std::uint64_t repeats(const Loop& loop) {
+  const auto same_place = [](const Vertex& one, const Vertex& other) {
+    return one.x == other.x && one.y == other.y;
+  };
+  Loop kept = loop;
+  kept.erase(std::unique(kept.begin(), kept.end(), same_place), kept.end());
+  const bool closed = kept.size() >= 3 && same_place(kept.front(), kept.back());
+  return loop.size() - kept.size() + (closed ? 1 : 0);
+}
+
+/// Golden, writing down what it sends.
+golden::slb::ChainBuilder recording_builder(Outcome& outcome, const SlbConfig& config) {
+  const auto on_chain = [&outcome, config](const Chain& chain) {
     outcome.chains.push_back({.column = chain.column,
                               .row = chain.row,
                               .op = static_cast<unsigned>(chain.op),
@@ -37,22 +50,36 @@ Outcome expected(std::span<const Loop> loops, const SlbConfig& config) {
                               .corner = chain.holds_corner,
                               .depth = chain.depth});
   };
-  const auto on_winding = [&](std::int64_t column, std::int64_t row, bool up) {
+  const auto on_winding = [&outcome](std::int64_t column, std::int64_t row, bool up) {
     outcome.winds.push_back({column, row, up});
   };
-  golden::slb::ChainBuilder builder(config, on_chain, on_winding);
+  return {config, on_chain, on_winding};
+}
+
+}  // namespace
+
+Outcome expected_so_far(std::span<const Vertex> vertices, const SlbConfig& config) {
+  Outcome outcome;
+  golden::slb::ChainBuilder builder = recording_builder(outcome, config);
+  for (const Vertex& vertex : vertices) builder.vertex(vertex);
+  return outcome;
+}
+
+Outcome expected(std::span<const Loop> loops, const SlbConfig& config) {
+  Outcome outcome;
+  golden::slb::ChainBuilder builder = recording_builder(outcome, config);
   Counts& counts = outcome.counts;
   for (const Loop& loop : loops) {
     for (const Vertex& vertex : loop) builder.vertex(vertex);
     const golden::slb::LoopSummary summary = builder.close();
     counts.vertices += loop.size();
-    counts.repeated += summary.repeated;
-    counts.crossings += summary.crossings;
+    counts.repeated += repeats(loop);
     ++counts.loops;
     if (summary.too_short) ++counts.shorts;
     if (summary.tiny) ++counts.tinies;
     counts.tiny_area2 += summary.tiny_area2;
   }
+  counts.crossings = outcome.chains.size();  // every crossing ends one chain
   return outcome;
 }
 

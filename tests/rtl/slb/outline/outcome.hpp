@@ -50,6 +50,9 @@ struct Outcome {
 /// Golden's answer.
 Outcome expected(std::span<const Loop> loops, const SlbConfig& config);
 
+/// What golden has sent for the first vertices of a loop that is not closed yet. Counts are left 0.
+Outcome expected_so_far(std::span<const Vertex> vertices, const SlbConfig& config);
+
 /// Fails the running test, once, where the two differ first; returns the number of records compared.
 std::size_t compare(const Outcome& hardware, const Outcome& golden);
 
