@@ -16,26 +16,37 @@ package gnomon_pkg;
     logic [31:0] arg;
   } header_t;
 
-  localparam logic [7:0] OP_NOP            = 8'h00;
-  localparam logic [7:0] OP_SET_REGISTERS  = 8'h01;
-  localparam logic [7:0] OP_CLEAR_PLANE    = 8'h02;
-  localparam logic [7:0] OP_FENCE          = 8'h03;
-  localparam logic [7:0] OP_READ_PLANE     = 8'h04;
-  localparam logic [7:0] OP_PROJECT_VOXELS = 8'h10;
-  localparam logic [7:0] OP_RESOLVE_VOXELS = 8'h11;
-  localparam logic [7:0] OP_SLB_CLEAR      = 8'h20;
-  localparam logic [7:0] OP_BEGIN_OBJECT   = 8'h21;
-  localparam logic [7:0] OP_LOOP           = 8'h22;
-  localparam logic [7:0] OP_FILL           = 8'h23;
-  localparam logic [7:0] OP_COVER          = 8'h24;
-  localparam logic [7:0] OP_END_OBJECT     = 8'h25;
-  localparam logic [7:0] OP_QUERY          = 8'h26;
-  localparam logic [7:0] OP_READ_ENTRIES   = 8'h27;
+  localparam logic [7:0] OP_NOP              = 8'h00;
+  localparam logic [7:0] OP_SET_REGISTERS    = 8'h01;
+  localparam logic [7:0] OP_CLEAR_PLANE      = 8'h02;
+  localparam logic [7:0] OP_FENCE            = 8'h03;
+  localparam logic [7:0] OP_READ_PLANE       = 8'h04;
+  localparam logic [7:0] OP_PROJECT_VOXELS   = 8'h10;
+  localparam logic [7:0] OP_RESOLVE_VOXELS   = 8'h11;
+  localparam logic [7:0] OP_CLEAR_LISTS      = 8'h12;
+  localparam logic [7:0] OP_PUT_QUADS        = 8'h13;
+  localparam logic [7:0] OP_RESOLVE_TOPOLOGY = 8'h14;
+  localparam logic [7:0] OP_READ_LISTS       = 8'h15;
+  localparam logic [7:0] OP_SLB_CLEAR        = 8'h20;
+  localparam logic [7:0] OP_BEGIN_OBJECT     = 8'h21;
+  localparam logic [7:0] OP_LOOP             = 8'h22;
+  localparam logic [7:0] OP_FILL             = 8'h23;
+  localparam logic [7:0] OP_COVER            = 8'h24;
+  localparam logic [7:0] OP_END_OBJECT       = 8'h25;
+  localparam logic [7:0] OP_QUERY            = 8'h26;
+  localparam logic [7:0] OP_READ_ENTRIES     = 8'h27;
 
   localparam logic [7:0] FENCE_CLEAR_STICKY = 8'h01;
   localparam logic [7:0] RESOLVE_TWO_SIDED  = 8'h01;
+  localparam logic [7:0] TOPOLOGY_TWO_SIDED = 8'h01;
+  localparam logic [7:0] TOPOLOGY_SORTED    = 8'h02;
   localparam logic [7:0] BEGIN_FLAT         = 8'h01;
   localparam logic [7:0] LOOP_MORE          = 8'h01;
+
+  // Commands of topology mode: 0x12..0x15.
+  function automatic bit is_topology_op(logic [7:0] op);
+    is_topology_op = op >= OP_CLEAR_LISTS && op <= OP_READ_LISTS;
+  endfunction
 
   // Commands of the silhouette-line buffer: 0x20..0x27.
   function automatic bit is_slb_op(logic [7:0] op);

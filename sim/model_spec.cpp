@@ -23,6 +23,14 @@ Parameters parameters(const golden::HardwareConfig& config) {
                   {"DEPTH_BITS", config.depth_bits},
                   {"PLANE_LOG2", config.plane_log2},
                   {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0}};
+  if (config.en_vpu_topology) {
+    const Parameters topology{{"EN_VPU_TOPOLOGY", 1},
+                              {"SUB_BITS", config.sub_bits},
+                              {"SPAN_LOG2", config.span_log2},
+                              {"NODES_LOG2", config.nodes_log2},
+                              {"QUADS_LOG2", config.quads_log2}};
+    list.insert(list.end(), topology.begin(), topology.end());
+  }
   if (!config.en_slb) return list;
   const Parameters slb{{"EN_SLB", 1},
                        {"SLB_PLANE_LOG2", config.slb_plane_log2},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error rules of docs/command-stream.md.
 #include <gnomon/golden/command.hpp>
+#include <gnomon/golden/topology/codec.hpp>
 
 namespace gnomon::golden {
 namespace {
@@ -61,7 +62,16 @@ std::optional<ErrorCode> CommandSequence::slb_error(const Header& header) const 
   return std::nullopt;
 }
 
+std::optional<ErrorCode> CommandSequence::topology_error(const Header& header) const {
+  const auto op = static_cast<topology::TopologyOp>(header.op);
+  if ((header.flags & ~topology::known_flags(op)) != 0) return ErrorCode::ReservedFlag;
+  if (!config_.en_vpu_topology) return ErrorCode::FeatureAbsent;
+  const bool bad = topology::bad_argument(op, header.arg, header.count, config_.topology_config());
+  return bad ? std::optional(ErrorCode::BadArgument) : std::nullopt;
+}
+
 std::optional<ErrorCode> CommandSequence::next(const Header& header) {
+  if (topology::is_topology_op(header.op)) return topology_error(header);
   if (!slb::is_slb_op(header.op)) return vpu_error(header, config_);
   const auto error = slb_error(header);
   if (!error) slb_.advance(static_cast<slb::SlbOp>(header.op), header.flags);
@@ -75,6 +85,8 @@ std::uint32_t result_count(const Header& header, std::optional<ErrorCode> error,
     return slb::result_words(static_cast<slb::SlbOp>(header.op), header.arg, header.count,
                              config.slb_config());
   }
+  if (topology::is_topology_op(header.op))
+    return topology::result_words(static_cast<topology::TopologyOp>(header.op), header.arg, header.count);
   switch (static_cast<Op>(header.op)) {
     case Op::Fence:
       return 1;

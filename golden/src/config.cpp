@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The legality rules of docs/vpu.md and docs/slb.md, in the one place where C++ holds them.
+// The legality rules of docs/vpu.md, docs/vpu-topology.md and docs/slb.md, in the one place where C++ holds
+// them.
 #include <gnomon/golden/config.hpp>
 #include <gnomon/golden/slb/codec.hpp>
 #include <tuple>
@@ -19,7 +20,7 @@ std::string out_of_range(const Range& range) {
 
 auto vpu_parameters(const HardwareConfig& c) {
   return std::tie(c.voxel_bits, c.voxel_frac_bits, c.normal_bits, c.matrix_frac_bits, c.depth_bits,
-                  c.plane_log2, c.en_vpu_offset, c.en_slb);
+                  c.plane_log2, c.en_vpu_offset, c.en_vpu_topology, c.en_slb);
 }
 
 std::optional<std::string> check_slb(const HardwareConfig& config) {
@@ -34,7 +35,21 @@ std::optional<std::string> check_slb(const HardwareConfig& config) {
 
 bool HardwareConfig::operator==(const HardwareConfig& other) const {
   if (vpu_parameters(*this) != vpu_parameters(other)) return false;
+  if (en_vpu_topology && topology_config() != other.topology_config()) return false;
   return !en_slb || slb_config() == other.slb_config();
+}
+
+topology::TopologyConfig HardwareConfig::topology_config() const {
+  return {.voxel_bits = voxel_bits,
+          .voxel_frac_bits = voxel_frac_bits,
+          .normal_bits = normal_bits,
+          .matrix_frac_bits = matrix_frac_bits,
+          .depth_bits = depth_bits,
+          .plane_log2 = plane_log2,
+          .sub_bits = sub_bits,
+          .span_log2 = span_log2,
+          .nodes_log2 = nodes_log2,
+          .quads_log2 = quads_log2};
 }
 
 slb::SlbConfig HardwareConfig::slb_config() const {
@@ -68,6 +83,9 @@ std::optional<std::string> HardwareConfig::check() const {
   if (matrix_frac_bits < p + 2) {
     return "MATRIX_FRAC_BITS=" + std::to_string(matrix_frac_bits) +
            " is below VOXEL_BITS + VOXEL_FRAC_BITS + 2 = " + std::to_string(p + 2);
+  }
+  if (en_vpu_topology) {
+    if (auto error = topology_config().check()) return error;
   }
   return en_slb ? check_slb(*this) : std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/slb/sequence.hpp>
+#include <gnomon/golden/topology/codec.hpp>
 
 namespace gnomon::golden {
 namespace {
@@ -39,7 +40,22 @@ std::string slb_op_name(slb::SlbOp op) {
   return "";
 }
 
+std::string topology_op_name(topology::TopologyOp op) {
+  switch (op) {
+    case topology::TopologyOp::ClearLists:
+      return "CLEAR_LISTS";
+    case topology::TopologyOp::PutQuads:
+      return "PUT_QUADS";
+    case topology::TopologyOp::ResolveTopology:
+      return "RESOLVE_TOPOLOGY";
+    case topology::TopologyOp::ReadLists:
+      return "READ_LISTS";
+  }
+  return "";
+}
+
 std::string op_name(std::uint8_t op) {
+  if (topology::is_topology_op(op)) return topology_op_name(static_cast<topology::TopologyOp>(op));
   if (slb::is_slb_op(op)) return slb_op_name(static_cast<slb::SlbOp>(op));
   switch (static_cast<Op>(op)) {
     case Op::Nop:
@@ -100,10 +116,13 @@ std::string sticky_text(std::uint32_t sticky) {
   add(kStickyErrorSeen, "ERROR_SEEN");
   add(kStickyOffPlane, "OFF_PLANE");
   add(kStickyDepthSaturated, "DEPTH_SATURATED");
+  add(topology::kStickyListOverflow, "LIST_OVERFLOW");
+  add(topology::kStickyQuadOffPlane, "QUAD_OFF_PLANE");
   add(slb::kStickyLineOverflow, "LINE_OVERFLOW");
   add(slb::kStickyObjectOverflow, "OBJECT_OVERFLOW");
   add(slb::kStickyWindingSaturated, "WINDING_SATURATED");
   constexpr std::uint32_t kKnown = kStickyErrorSeen | kStickyOffPlane | kStickyDepthSaturated |
+                                   topology::kStickyListOverflow | topology::kStickyQuadOffPlane |
                                    slb::kStickyLineOverflow | slb::kStickyObjectOverflow |
                                    slb::kStickyWindingSaturated;
   const std::uint32_t unknown = sticky & ~kKnown;
@@ -138,6 +157,8 @@ std::string describe_result(Word word) {
   const auto code = static_cast<std::uint8_t>(result_code(word));
   if (code == slb::kAnswerCode) return slb::describe_answer(word);
   if (code == slb::kEntryCode) return slb::describe_entry_header(word);
+  if (code == topology::kStateCode || code == topology::kListHeadCode)
+    return topology::describe_topology_result(word);
   switch (result_code(word)) {
     case ResultCode::Fence: {
       const FenceResult result = decode_fence_result(word);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command processor of docs/command-stream.md around the arithmetic of vpu.hpp and slb/unit.hpp.
+// The command processor of docs/command-stream.md around the arithmetic of vpu.hpp, topology/unit.hpp and
+// slb/unit.hpp.
 #include <algorithm>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/command.hpp>
 #include <gnomon/golden/golden_engine.hpp>
 #include <gnomon/golden/slb/unit.hpp>
+#include <gnomon/golden/topology/unit.hpp>
 #include <gnomon/golden/vpu.hpp>
 #include <stdexcept>
 #include <utility>
@@ -31,12 +33,15 @@ struct State {
   explicit State(const HardwareConfig& config)
       : vpu(config),
         plane(static_cast<std::size_t>(config.plane_side()) * static_cast<std::size_t>(config.plane_side())),
+        topology(config.en_vpu_topology ? std::make_unique<topology::TopologyUnit>(config.topology_config())
+                                        : nullptr),
         slb(config.en_slb ? std::make_unique<slb::SlbUnit>(config.slb_config()) : nullptr),
         sequence(config) {}
 
   Vpu vpu;
   Plane plane;
-  std::unique_ptr<slb::SlbUnit> slb;  ///< only with EN_SLB
+  std::unique_ptr<topology::TopologyUnit> topology;  ///< only with EN_VPU_TOPOLOGY
+  std::unique_ptr<slb::SlbUnit> slb;                 ///< only with EN_SLB
   CommandSequence sequence;
   Events events;
   std::uint32_t sticky = 0;
@@ -65,6 +70,7 @@ class GoldenEngine final : public Engine {
   void take_header(Word word);
   void take_items(std::span<const Word> items);
   void begin_slb(const Header& header);
+  void begin_topology(const Header& header);
   void give(std::span<const Word> results);
   void fence(const Header& header);
   void read_entries(const Header& header);
@@ -112,6 +118,7 @@ void GoldenEngine::take_header(Word word) {
     return;
   }
   if (slb::is_slb_op(header.op)) return begin_slb(header);
+  if (topology::is_topology_op(header.op)) return begin_topology(header);
   switch (static_cast<Op>(header.op)) {
     case Op::ClearPlane:
       state_.plane.clear();
@@ -131,6 +138,7 @@ void GoldenEngine::take_items(std::span<const Word> items) {
   if (state_.ignore_items) return;
   const Header& header = state_.command;
   if (slb::is_slb_op(header.op)) return give(state_.slb->take(items));
+  if (topology::is_topology_op(header.op)) return give(state_.topology->take(items));
   switch (static_cast<Op>(header.op)) {
     case Op::SetRegisters:
       set_registers(items);
@@ -152,16 +160,32 @@ void GoldenEngine::begin_slb(const Header& header) {
   give(outcome.results);
 }
 
+void GoldenEngine::begin_topology(const Header& header) {
+  topology::ProjectionRegisters registers;
+  for (std::size_t i = 0; i < registers.matrix.size(); ++i)
+    registers.matrix[i] = state_.vpu.get(static_cast<Register>(i));
+  registers.offset_factor = state_.vpu.get(Register::OffsetFactor);
+  state_.topology->set_registers(registers);
+  const topology::TopologyOutcome outcome =
+      state_.topology->begin(header.op, header.flags, header.arg, header.count);
+  if (outcome.error != topology::TopologyError::None)
+    throw std::logic_error("the unit refuses a command judged sound");
+  give(outcome.results);
+}
+
 void GoldenEngine::give(std::span<const Word> results) {
   state_.results.insert(state_.results.end(), results.begin(), results.end());
 }
 
 void GoldenEngine::fence(const Header& header) {
   const std::uint32_t slb_sticky = state_.slb ? slb::encode(state_.slb->model().sticky()) : 0;
-  state_.results.push_back(encode(FenceResult{.sticky = state_.sticky | slb_sticky, .tag = header.arg}));
+  const std::uint32_t list_sticky = state_.topology ? topology::encode(state_.topology->lists().sticky()) : 0;
+  state_.results.push_back(
+      encode(FenceResult{.sticky = state_.sticky | slb_sticky | list_sticky, .tag = header.arg}));
   if ((header.flags & kFenceClearSticky) == 0) return;
   state_.sticky = 0;
   if (state_.slb) state_.slb->model().clear_sticky();
+  if (state_.topology) state_.topology->lists().clear_sticky();
 }
 
 void GoldenEngine::read_entries(const Header& header) {
@@ -256,8 +280,14 @@ Counters GoldenEngine::counters() const {
                                {"RESOLVED_OFFSET_EMPTY", events.resolved_offset_empty},
                                {"RESOLVED_SHADOW", events.resolved_shadow}},
                     .cycles = {}};
-  if (!state_.slb) return counters;
-  for (const auto& [name, count] : slb::named(state_.slb->model().counters())) counters.events[name] = count;
+  if (state_.slb) {
+    for (const auto& [name, count] : slb::named(state_.slb->model().counters()))
+      counters.events[name] = count;
+  }
+  if (state_.topology) {
+    for (const auto& [name, count] : topology::named(state_.topology->lists().counters()))
+      counters.events[name] = count;
+  }
   return counters;
 }
 

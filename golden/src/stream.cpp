@@ -82,6 +82,60 @@ void StreamWriter::header(Op op, std::uint8_t flags, std::size_t count, std::uin
                                  .arg = arg}));
 }
 
+void StreamWriter::clear_lists() {
+  topology_header(topology::TopologyOp::ClearLists, 0, 0, 0);
+}
+
+void StreamWriter::put_quads(std::span<const std::array<VoxelItem, 4>> quads) {
+  constexpr std::size_t kMostQuads = kMaxItems / topology::kWordsPerQuad;
+  while (!quads.empty()) {
+    const auto part = quads.first(std::min(quads.size(), kMostQuads));
+    topology_header(topology::TopologyOp::PutQuads, 0, part.size() * topology::kWordsPerQuad, 0);
+    for (const auto& quad : part)
+      for (const VoxelItem& corner : quad) words_.push_back(encode(corner, config_));
+    quads = quads.subspan(part.size());
+  }
+}
+
+void StreamWriter::resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
+                                    bool sorted) {
+  const std::uint32_t arg = depth_code("clearance", clearance);
+  const int flags = (two_sided ? topology::kTwoSided : 0) | (sorted ? topology::kSorted : 0);
+  while (!items.empty()) {
+    const auto part = items.first(std::min(items.size(), std::size_t{kMaxItems}));
+    topology_header(topology::TopologyOp::ResolveTopology, static_cast<std::uint8_t>(flags), part.size(),
+                    arg);
+    for (const VoxelItem& item : part) words_.push_back(encode(item, config_));
+    items = items.subspan(part.size());
+  }
+}
+
+void StreamWriter::read_lists(std::uint32_t first, std::uint32_t count) {
+  const std::uint64_t entries = std::uint64_t{1} << (2 * config_.plane_log2);
+  if (std::uint64_t{first} + count > entries) {
+    throw std::out_of_range("lists " + std::to_string(first) + " + " + std::to_string(count) +
+                            " are beyond the plane's " + std::to_string(entries));
+  }
+  while (count > 0) {
+    const std::uint32_t n = std::min(count, std::uint32_t{256});
+    topology_header(topology::TopologyOp::ReadLists, 0, 0,
+                    topology::encode(topology::EntryRange{.first = first, .count = n}));
+    first += n;
+    count -= n;
+  }
+}
+
+void StreamWriter::topology_header(topology::TopologyOp op, std::uint8_t flags, std::size_t count,
+                                   std::uint32_t arg) {
+  const Header header{.op = static_cast<std::uint8_t>(op),
+                      .flags = flags,
+                      .count = static_cast<std::uint16_t>(count),
+                      .arg = arg};
+  if (!config_.en_vpu_topology)
+    throw std::logic_error(describe_header(encode(header)) + ": EN_VPU_TOPOLOGY is 0");
+  words_.push_back(encode(header));
+}
+
 void StreamWriter::slb_clear() {
   slb_header(slb::SlbOp::Clear, 0, 0, 0);
 }

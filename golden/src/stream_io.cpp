@@ -15,10 +15,11 @@ namespace gnomon::golden {
 namespace {
 
 constexpr std::string_view kMagic = "GNOMON\x1A\n";
-constexpr std::uint32_t kVersion = 2;
-constexpr std::size_t kConfigFields = 15;
-/// What version 1 holds of them: no silhouette-line buffer.
-constexpr std::size_t kConfigFieldsOfVersion1 = 7;
+constexpr std::uint32_t kVersion = 3;
+/// Each version holds more of them: the silhouette-line buffer came with version 2, topology mode with 3.
+constexpr std::array<std::size_t, kVersion> kFieldsOfVersion{7, 15, 20};
+constexpr std::size_t kConfigFields = kFieldsOfVersion.back();
+constexpr std::size_t kRoundingField = 14;
 constexpr std::size_t kConfigOffset = kMagic.size() + 4;
 constexpr std::size_t kBlockWords = 1 << 16;
 
@@ -35,15 +36,18 @@ std::uint64_t get(std::string_view bytes, std::size_t at, std::size_t count) {
 }
 
 std::array<int, kConfigFields> config_values(const HardwareConfig& c) {
-  return {
-      c.voxel_bits, c.voxel_frac_bits, c.normal_bits,   c.matrix_frac_bits, c.depth_bits,
-      c.plane_log2, c.en_vpu_offset,   c.en_slb,        c.slb_plane_log2,   c.frac_bits,
-      c.slope_bits, c.frags_per_pixel, c.subpixel_bits, c.query_bits,       static_cast<int>(c.slb_rounding)};
+  return {c.voxel_bits,       c.voxel_frac_bits, c.normal_bits,
+          c.matrix_frac_bits, c.depth_bits,      c.plane_log2,
+          c.en_vpu_offset,    c.en_slb,          c.slb_plane_log2,
+          c.frac_bits,        c.slope_bits,      c.frags_per_pixel,
+          c.subpixel_bits,    c.query_bits,      static_cast<int>(c.slb_rounding),
+          c.en_vpu_topology,  c.sub_bits,        c.span_log2,
+          c.nodes_log2,       c.quads_log2};
 }
 
 /// Of a file of this version.
 std::size_t config_fields(std::uint64_t version) {
-  return version == 1 ? kConfigFieldsOfVersion1 : kConfigFields;
+  return kFieldsOfVersion.at(version - 1);
 }
 std::size_t header_size(std::uint64_t version) {
   return kConfigOffset + 4 * config_fields(version) + 8;
@@ -56,13 +60,32 @@ HardwareConfig decode_config(std::string_view bytes, std::uint64_t version) {
     const std::uint64_t value = get(bytes, kConfigOffset + 4 * i, 4);
     v[i] = static_cast<int>(std::min(value, std::uint64_t{std::numeric_limits<int>::max()}));
   }
-  const auto rounding = v[14] == 0 ? slb::Rounding::Better : slb::Rounding::Published;
-  return {v[0], v[1], v[2],  v[3],  v[4],  v[5],  v[6] != 0, v[7] != 0,
-          v[8], v[9], v[10], v[11], v[12], v[13], rounding};
+  HardwareConfig c;
+  c.voxel_bits = v[0];
+  c.voxel_frac_bits = v[1];
+  c.normal_bits = v[2];
+  c.matrix_frac_bits = v[3];
+  c.depth_bits = v[4];
+  c.plane_log2 = v[5];
+  c.en_vpu_offset = v[6] != 0;
+  c.en_slb = v[7] != 0;
+  c.slb_plane_log2 = v[8];
+  c.frac_bits = v[9];
+  c.slope_bits = v[10];
+  c.frags_per_pixel = v[11];
+  c.subpixel_bits = v[12];
+  c.query_bits = v[13];
+  c.slb_rounding = v[kRoundingField] == 0 ? slb::Rounding::Better : slb::Rounding::Published;
+  c.en_vpu_topology = v[15] != 0;
+  c.sub_bits = v[16];
+  c.span_log2 = v[17];
+  c.nodes_log2 = v[18];
+  c.quads_log2 = v[19];
+  return c;
 }
 
 std::uint64_t rounding_field(std::string_view bytes, std::uint64_t version) {
-  return version == 1 ? 0 : get(bytes, kConfigOffset + 4 * (kConfigFields - 1), 4);
+  return version == 1 ? 0 : get(bytes, kConfigOffset + 4 * kRoundingField, 4);
 }
 
 std::string header_bytes(const HardwareConfig& config, std::size_t words) {
@@ -130,7 +153,7 @@ std::variant<StreamFile, std::string> load_stream(const std::filesystem::path& p
     return failure(path, "ends after " + std::to_string(got) + " bytes; the header alone has " +
                              std::to_string(header_length));
   }
-  file.clear();  // a short file of version 1 ends before a header of version 2 does
+  file.clear();  // a short file of an old version ends before a header of the newest does
   file.seekg(static_cast<std::streamoff>(header_length));
   if (const auto rounding = rounding_field(header, version); rounding > 1) {
     return failure(

@@ -22,6 +22,8 @@ module command_check #(
     case (header_i.op)
       gnomon_pkg::OP_FENCE:          allowed_flags = gnomon_pkg::FENCE_CLEAR_STICKY;
       gnomon_pkg::OP_RESOLVE_VOXELS: allowed_flags = gnomon_pkg::RESOLVE_TWO_SIDED;
+      gnomon_pkg::OP_RESOLVE_TOPOLOGY: allowed_flags = gnomon_pkg::TOPOLOGY_TWO_SIDED | gnomon_pkg::TOPOLOGY_SORTED;
+      gnomon_pkg::OP_CLEAR_LISTS, gnomon_pkg::OP_PUT_QUADS, gnomon_pkg::OP_READ_LISTS,
       gnomon_pkg::OP_NOP, gnomon_pkg::OP_SET_REGISTERS, gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_READ_PLANE,
       gnomon_pkg::OP_PROJECT_VOXELS, gnomon_pkg::OP_SLB_CLEAR, gnomon_pkg::OP_FILL, gnomon_pkg::OP_COVER,
       gnomon_pkg::OP_END_OBJECT, gnomon_pkg::OP_QUERY, gnomon_pkg::OP_READ_ENTRIES: ;
@@ -32,6 +34,7 @@ module command_check #(
   end
 
   assign absent = (!EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS) ||
+                  gnomon_pkg::is_topology_op(header_i.op) ||
                   (!EN_SLB && gnomon_pkg::is_slb_op(header_i.op));
 
   // The sum of the numbers: 33 bits, so that it does not wrap.

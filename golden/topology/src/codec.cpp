@@ -7,7 +7,6 @@ namespace gnomon::golden::topology {
 namespace {
 
 constexpr int kCode = 56;
-constexpr Word kStateCode = 0x14, kHeadCode = 0x15;
 constexpr int kState = 54, kFacingAway = 53, kOffPlane = 52, kUncertain = 51, kHit = 50, kFallback = 49;
 constexpr int kQuad = 24, kVisited = 12;
 constexpr int kIndex = 32, kPresent = 31, kLinked = 30, kDropped = 29;
@@ -48,7 +47,7 @@ Item decode_item(Word word, const TopologyConfig& config) {
 
 Word encode(const TopologyResult& r) {
   const Word state = r.shadow ? 2 : 1;
-  return kStateCode << kCode | state << kState | flag(r.facing_away, kFacingAway) |
+  return Word{kStateCode} << kCode | state << kState | flag(r.facing_away, kFacingAway) |
          flag(r.off_plane, kOffPlane) | flag(r.uncertain, kUncertain) | flag(r.hit, kHit) |
          flag(r.fallback, kFallback) | Word{r.quad & kNoQuad} << kQuad |
          Word{std::min(r.visited, kMostCounted)} << kVisited | std::min(r.tested, kMostCounted);
@@ -67,7 +66,7 @@ TopologyResult decode_topology_result(Word word) {
 }
 
 Word encode(const ListHeadResult& r) {
-  return kHeadCode << kCode | Word{r.index & 0xFFFFFF} << kIndex | flag(r.head.present, kPresent) |
+  return Word{kListHeadCode} << kCode | Word{r.index & 0xFFFFFF} << kIndex | flag(r.head.present, kPresent) |
          flag(r.head.linked, kLinked) | flag(r.head.dropped, kDropped) | r.head.near;
 }
 
@@ -80,7 +79,7 @@ ListHeadResult decode_list_head(Word word) {
 }
 
 std::string describe_topology_result(Word word) {
-  if (word >> kCode == kHeadCode) {
+  if (word >> kCode == kListHeadCode) {
     const auto [index, head] = decode_list_head(word);
     return "LIST_HEAD" + named("entry", index) + named("present", head.present) +
            named("linked", head.linked) + named("dropped", head.dropped) + named("near", head.near);
@@ -90,6 +89,39 @@ std::string describe_topology_result(Word word) {
          named("off_plane", r.off_plane) + named("uncertain", r.uncertain) + named("hit", r.hit) +
          named("fallback", r.fallback) + named("quad", r.quad) + named("visited", r.visited) +
          named("tested", r.tested);
+}
+
+std::uint8_t known_flags(TopologyOp op) {
+  return op == TopologyOp::ResolveTopology ? kTwoSided | kSorted : 0;
+}
+
+bool bad_argument(TopologyOp op, std::uint32_t arg, std::size_t count, const TopologyConfig& config) {
+  switch (op) {
+    case TopologyOp::ClearLists:
+      return count != 0;
+    case TopologyOp::PutQuads:
+      return count % kWordsPerQuad != 0;
+    case TopologyOp::ReadLists: {
+      const EntryRange range = decode_entry_range(arg);
+      return count != 0 || std::int64_t{range.first} + range.count > config.side() * config.side();
+    }
+    case TopologyOp::ResolveTopology:
+      break;
+  }
+  return false;
+}
+
+std::uint32_t result_words(TopologyOp op, std::uint32_t arg, std::size_t count) {
+  if (op == TopologyOp::ResolveTopology) return static_cast<std::uint32_t>(count);
+  return op == TopologyOp::ReadLists ? decode_entry_range(arg).count : 0;
+}
+
+std::uint32_t encode(const EntryRange& range) {
+  return ((range.count - 1) & 0xFF) << 24 | (range.first & 0xFFFFFF);
+}
+
+EntryRange decode_entry_range(std::uint32_t arg) {
+  return {.first = arg & 0xFFFFFF, .count = (arg >> 24) + 1};
 }
 
 }  // namespace gnomon::golden::topology

@@ -15,6 +15,24 @@ TopologyConfig checked(const TopologyConfig& config) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::uint64_t>> named(const TopologyCounters& c) {
+  return {{"QUADS_PUT", c.quads_put},
+          {"QUADS_OFF_PLANE", c.quads_off_plane},
+          {"QUADS_TOO_LARGE", c.quads_too_large},
+          {"QUADS_SATURATED", c.quads_saturated},
+          {"NODES_LINKED", c.nodes_linked},
+          {"NODES_DROPPED", c.nodes_dropped},
+          {"TOPOLOGY_RESOLVED", c.resolved},
+          {"TOPOLOGY_FACING_AWAY", c.facing_away},
+          {"TOPOLOGY_OFF_PLANE", c.off_plane},
+          {"TOPOLOGY_UNCERTAIN", c.uncertain},
+          {"TOPOLOGY_HIT", c.hit},
+          {"TOPOLOGY_FALLBACK", c.fallback},
+          {"TOPOLOGY_SHADOW", c.shadow},
+          {"NODES_VISITED", c.nodes_visited},
+          {"QUADS_TESTED", c.quads_tested}};
+}
+
 QuadLists::QuadLists(const TopologyConfig& config)
     : config_(checked(config)), heads_(std::size_t{1} << (2 * config.plane_log2)) {}
 

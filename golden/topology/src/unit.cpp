@@ -7,17 +7,6 @@
 namespace gnomon::golden::topology {
 namespace {
 
-std::uint8_t known_flags(TopologyOp op) {
-  return op == TopologyOp::ResolveTopology ? kTwoSided | kSorted : 0;
-}
-
-struct EntryRange {
-  std::uint32_t first, count;
-};
-EntryRange decode_range(std::uint32_t arg) {
-  return {arg & 0xFFFFFF, (arg >> 24) + 1};
-}
-
 Projected negated(const Projected& p) {
   return {-p.u, -p.v, -p.d};
 }
@@ -29,23 +18,7 @@ TopologyError TopologyUnit::check(std::uint8_t op, std::uint8_t flags, std::uint
   if (!is_topology_op(op)) return TopologyError::UnknownOp;
   const auto known = static_cast<TopologyOp>(op);
   if ((flags & ~known_flags(known)) != 0) return TopologyError::ReservedFlag;
-  bool bad = false;
-  switch (known) {
-    case TopologyOp::ClearLists:
-      bad = count != 0;
-      break;
-    case TopologyOp::PutQuads:
-      bad = count % kWordsPerQuad != 0;
-      break;
-    case TopologyOp::ReadLists: {
-      const EntryRange range = decode_range(arg);
-      const std::int64_t entries = lists_.config().side() * lists_.config().side();
-      bad = count != 0 || std::int64_t{range.first} + range.count > entries;
-      break;
-    }
-    case TopologyOp::ResolveTopology:
-      break;
-  }
+  const bool bad = bad_argument(known, arg, count, lists_.config());
   return bad ? TopologyError::BadArgument : TopologyError::None;
 }
 
@@ -69,7 +42,7 @@ TopologyOutcome TopologyUnit::begin(std::uint8_t op, std::uint8_t flags, std::ui
   TopologyOutcome outcome;
   if (op_ == TopologyOp::ClearLists) lists_.clear();
   if (op_ == TopologyOp::ReadLists) {
-    const EntryRange range = decode_range(arg);
+    const EntryRange range = decode_entry_range(arg);
     for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
       outcome.results.push_back(encode(ListHeadResult{i, lists_.head(i)}));
   }

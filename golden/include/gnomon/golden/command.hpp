@@ -22,6 +22,7 @@ class CommandSequence {
 
  private:
   std::optional<ErrorCode> slb_error(const Header& header) const;
+  std::optional<ErrorCode> topology_error(const Header& header) const;
 
   HardwareConfig config_;
   slb::SlbSequence slb_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parameters a piece of hardware is built with, and the widths that follow from them (docs/vpu.md,
-// docs/slb.md).
+// docs/vpu-topology.md, docs/slb.md).
 #pragma once
 
 #include <gnomon/golden/slb/config.hpp>
+#include <gnomon/golden/topology/config.hpp>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,13 @@ struct HardwareConfig {
   int depth_bits = 20;        ///< DEPTH_BITS, 8..24
   int plane_log2 = 9;         ///< PLANE_LOG2, 4..12
   bool en_vpu_offset = true;  ///< EN_VPU_OFFSET
+
+  bool en_vpu_topology =
+      false;            ///< EN_VPU_TOPOLOGY: with topology mode. Without it, the next four mean nothing
+  int sub_bits = 4;     ///< SUB_BITS, 2..8
+  int span_log2 = 4;    ///< SPAN_LOG2, 2..6
+  int nodes_log2 = 20;  ///< NODES_LOG2, 4..24
+  int quads_log2 = 18;  ///< QUADS_LOG2, 4..24
 
   bool en_slb = false;      ///< EN_SLB: with the silhouette-line buffer. Without it, the rest means nothing
   int slb_plane_log2 = 8;   ///< SLB_PLANE_LOG2, 3..12; the unit has a plane of its own
@@ -37,7 +45,8 @@ struct HardwareConfig {
 
   int position_bits() const { return voxel_bits + voxel_frac_bits; }  ///< P
   int plane_side() const { return 1 << plane_log2; }                  ///< entries
-  slb::SlbConfig slb_config() const;                                  ///< DEPTH_BITS is both units'
+  topology::TopologyConfig topology_config() const;
+  slb::SlbConfig slb_config() const;  ///< DEPTH_BITS is both units'
 };
 
 }  // namespace gnomon::golden

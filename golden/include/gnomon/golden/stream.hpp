@@ -2,10 +2,12 @@
 // Writing command streams, and walking through them (docs/command-stream.md).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/slb/sequence.hpp>
+#include <gnomon/golden/topology/codec.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,6 +34,17 @@ class StreamWriter {
   void project(std::span<const VoxelItem> items);
   void resolve(std::span<const VoxelItem> items, bool two_sided);
 
+  // Topology mode. All of these throw std::logic_error if the hardware has no such mode, and
+  // std::out_of_range if a field does not fit its bits; nothing is written then.
+  void clear_lists();
+  /// Corners c0, c1, c2, c3; c3 = c2 for a triangle.
+  void put_quads(std::span<const std::array<VoxelItem, 4>> quads);
+  /// `clearance` in depth codes; `sorted`: quads were sent by descending `far`.
+  void resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
+                        bool sorted);
+  /// Any number of entries, in commands of at most 256.
+  void read_lists(std::uint32_t first, std::uint32_t count);
+
   // The silhouette-line buffer. All of these throw std::logic_error if the hardware has no such unit or the
   // command may not follow on those before, and std::out_of_range if a field does not fit its bits; nothing
   // is written then.
@@ -56,6 +69,7 @@ class StreamWriter {
  private:
   void header(Op op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   void voxels(Op op, std::uint8_t flags, std::span<const VoxelItem> items);
+  void topology_header(topology::TopologyOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   void slb_header(slb::SlbOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   template <typename Item>
   void slb_items(slb::SlbOp op, std::uint32_t arg, std::span<const Item> items);

@@ -13,9 +13,9 @@
 
 namespace gnomon::golden {
 
-/// A file holds, in little-endian: the 8 bytes "GNOMON\x1A\n", uint32 version (2), fifteen uint32 in the
-/// order of HardwareConfig's members, uint64 number of words, the words. Version 1 has only the first seven
-/// parameters (no silhouette-line buffer); it is read too.
+/// A file holds, in little-endian: the 8 bytes "GNOMON\x1A\n", uint32 version (3), twenty uint32 (the
+/// projection unit's parameters, the silhouette-line buffer's, topology mode's), uint64 number of words, the
+/// words. Versions 1 and 2 have the first seven and fifteen parameters; they are read too.
 struct StreamFile {
   HardwareConfig config;
   std::vector<Word> words;

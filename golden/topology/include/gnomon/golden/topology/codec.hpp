@@ -23,6 +23,24 @@ constexpr bool is_topology_op(std::uint8_t op) {
 inline constexpr std::uint8_t kTwoSided = 0x01, kSorted = 0x02;  ///< flags of ResolveTopology
 inline constexpr std::size_t kWordsPerQuad = 4;
 
+/// Flag bits with a meaning.
+std::uint8_t known_flags(TopologyOp op);
+/// Error 4 of docs/command-stream.md.
+bool bad_argument(TopologyOp op, std::uint32_t arg, std::size_t count, const TopologyConfig& config);
+/// Of a command without an error.
+std::uint32_t result_words(TopologyOp op, std::uint32_t arg, std::size_t count);
+
+/// The argument of ReadLists.
+struct EntryRange {
+  std::uint32_t first = 0;  ///< 24 bits
+  std::uint32_t count = 1;  ///< 1..256
+};
+std::uint32_t encode(const EntryRange& range);
+EntryRange decode_entry_range(std::uint32_t arg);
+
+/// Codes of the mode's result words, bits 63:56.
+inline constexpr std::uint8_t kStateCode = 0x14, kListHeadCode = 0x15;
+
 inline constexpr std::uint32_t kStickyDepthSaturated = 1u << 2;
 inline constexpr std::uint32_t kStickyListOverflow = 1u << 3;
 inline constexpr std::uint32_t kStickyQuadOffPlane = 1u << 4;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <gnomon/golden/topology/config.hpp>
 #include <gnomon/golden/topology/landing.hpp>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace gnomon::golden::topology {
@@ -29,6 +31,9 @@ struct TopologyCounters {
   std::uint64_t quads_tested = 0;
   bool operator==(const TopologyCounters&) const = default;
 };
+
+/// Their names in docs/vpu-topology.md.
+std::vector<std::pair<std::string, std::uint64_t>> named(const TopologyCounters& counters);
 
 /// Sticky flags that this mode raises.
 struct TopologySticky {
