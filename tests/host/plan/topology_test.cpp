@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Topology mode from scene to states: against exact rays, against the method in double, and its stream.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <gnomon/golden/topology/beam_test.hpp>
+#include <map>
+#include <numeric>
+
+#include "cages.hpp"
+#include "host/metrics/shadow_error.hpp"
+#include "host/metrics/shadow_truth.hpp"
+#include "host/plan/topology_double.hpp"
+#include "host/plan/topology_plan.hpp"
+#include "host/voxel/voxelizer.hpp"
+#include "tests/host/plan/topology_run.hpp"
+#include "tests/support/random.hpp"
+
+namespace gnomon::plan {
+namespace {
+
+using golden::VoxelState;
+using golden::topology::TopologyResult;
+
+constexpr std::uint32_t kRes = 64;
+const std::vector<bool> kTwoSided{false, true};
+
+/// A round body over a wavy sheet.
+struct Scene {
+  std::vector<surface::LimitSurface> surfaces;
+  voxel::VoxelSet voxels;
+  voxel::CastingQuads casting;
+};
+
+Scene make_scene() {
+  Scene scene;
+  const Mat4 up = Mat4().setScale(14.0) * Mat4().setTranslation(Vec3(32, 32, 42));
+  const Mat4 down = Mat4().setScale(Vec3(54, 54, 6)) * Mat4().setTranslation(Vec3(5, 5, 12));
+  scene.surfaces.push_back(std::move(*surface::LimitSurface::build(test::torus(5, 4), up)));
+  scene.surfaces.push_back(std::move(*surface::LimitSurface::build(test::sheet(4, 3), down)));
+  voxel::Grid grid;
+  grid.res = kRes;
+  voxel::VoxelizerOptions options;
+  options.subpatches = true;
+  scene.voxels = voxel::voxelize(scene.surfaces, grid, options).value();
+  scene.casting = voxel::casting_quads(scene.surfaces, scene.voxels);
+  return scene;
+}
+const Scene& scene() {
+  static const Scene kScene = make_scene();
+  return kScene;
+}
+
+TopologyPlan plan_of(const Vec3& light, const TopologySettings& settings = {}) {
+  return plan_topology(scene().voxels, scene().casting.quads, light, settings).value();
+}
+test::TopologyRun run(const TopologyPlan& plan) {
+  return test::run_topology(plan, topology_stream(plan, scene().voxels, kTwoSided));
+}
+std::vector<VoxelState> states(std::span<const TopologyResult> results) {
+  std::vector<VoxelState> out;
+  for (const auto& r : results) out.push_back(r.shadow ? VoxelState::Shadow : VoxelState::Lit);
+  return out;
+}
+
+const std::vector<Vec3> kLights = {{0, 0, -1}, {0.4, 0.45, -1}, {1, -0.3, -0.5}};
+
+TEST(Topology, AgreesWithExactRays) {
+  std::uint64_t compared = 0, shadow = 0;
+  for (const Vec3& light : kLights) {
+    const metrics::ExactReference reference(scene().surfaces, kTwoSided, metrics::DirectionalLight{light});
+    const auto truth = metrics::shadow_truth(reference, scene().surfaces, scene().voxels);
+    const auto wrong = [&](std::span<const VoxelState> answers) {
+      return metrics::shadow_errors(truth, scene().voxels, answers, {}).unambiguous_voxels.models;
+    };
+    for (const auto& [bits, limit] : std::map<int, double>{{0, 0.0015}, {2, 0.0004}, {4, 0.0001}}) {
+      TopologySettings settings;
+      settings.voxel_frac_bits = bits;
+      const auto plan = plan_of(light, settings);
+      const auto answers = run(plan);
+      EXPECT_EQ(answers.results.size(), scene().voxels.voxels.size());
+      EXPECT_LE(wrong(states(answers.results)).share(), limit) << bits << " fraction bits";
+      EXPECT_LE(answers.counters.quads_tested, 6 * answers.counters.uncertain);
+      EXPECT_EQ(answers.counters.fallback, 0U);
+      EXPECT_FALSE(answers.sticky.list_overflow || answers.sticky.quad_off_plane);
+      shadow += answers.counters.hit;
+    }
+    const auto quads = voxel::limit_quads(scene().surfaces, scene().voxels);
+    const auto exact = topology_states_double(plan_of(light), scene().voxels, quads, kTwoSided);
+    EXPECT_LE(wrong(exact.states).share(), 0.00005);
+    compared += wrong(exact.states).compared;
+  }
+  EXPECT_GT(compared, 10000U);
+  EXPECT_GT(shadow, 2000U);
+}
+
+TEST(Topology, OrderOfListsDoesNotChangeAState) {
+  TopologySettings settings;
+  settings.sorted = false;
+  for (const Vec3& light : kLights) {
+    const auto sorted = run(plan_of(light)), unsorted = run(plan_of(light, settings));
+    EXPECT_EQ(states(sorted.results), states(unsorted.results));
+    EXPECT_EQ(sorted.counters.uncertain, unsorted.counters.uncertain);
+    EXPECT_EQ(sorted.counters.nodes_linked, unsorted.counters.nodes_linked);
+    EXPECT_LT(sorted.counters.nodes_visited, unsorted.counters.nodes_visited);
+    EXPECT_LE(sorted.counters.nodes_visited,
+              sorted.counters.quads_tested + sorted.counters.uncertain - sorted.counters.hit);
+  }
+}
+
+TEST(Topology, HitsNameAQuadThatIsInFront) {
+  const Vec3 light = kLights[1];
+  const auto plan = plan_of(light);
+  const auto answers = run(plan);
+  std::uint64_t checked = 0;
+  for (std::size_t i = 0; i < answers.results.size(); ++i) {
+    if (!answers.results[i].hit) continue;
+    const auto& quad = plan.quads.at(answers.results[i].quad);
+    const auto& voxel = scene().voxels.voxels[i];
+    const Vec3 beam = light.normalized();
+    for (const std::uint32_t c : quad) {
+      const auto& corner = scene().voxels.voxels[c];
+      const Vec3 apart(corner.x - voxel.x, corner.y - voxel.y, corner.z - voxel.z);
+      EXPECT_LT(apart.dot(beam), 0);
+      EXPECT_LT((apart - beam * apart.dot(beam)).length(), 5);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 1000U);
+}
+
+TEST(Topology, PoolsHoldTheScene) {
+  const auto plan = plan_of(kLights[1]);
+  const std::uint64_t nodes =
+      std::accumulate(plan.list_length.begin(), plan.list_length.end(), std::uint64_t{0});
+  EXPECT_EQ(run(plan).counters.nodes_linked, nodes);
+  EXPECT_LE(nodes, std::uint64_t{1} << plan.config.nodes_log2);
+  EXPECT_GT(2 * nodes, std::uint64_t{1} << plan.config.nodes_log2);
+  EXPECT_EQ(plan.quads.size(), scene().casting.quads.size());
+}
+
+TEST(Topology, ASmallPoolIsFlaggedAndLosesNoShadow) {
+  TopologySettings settings;
+  const auto whole = run(plan_of(kLights[1]));
+  settings.nodes_log2 = 13;
+  const auto small = run(plan_of(kLights[1], settings));
+  EXPECT_TRUE(small.sticky.list_overflow);
+  EXPECT_GT(small.counters.fallback, 100U);
+  std::uint64_t differ = 0;
+  for (std::size_t i = 0; i < whole.results.size(); ++i) {
+    EXPECT_GE(small.results[i].shadow, whole.results[i].shadow);
+    if (small.results[i].shadow != whole.results[i].shadow) {
+      EXPECT_TRUE(small.results[i].fallback);
+      ++differ;
+    }
+  }
+  EXPECT_GT(differ, 0U);
+}
+
+TEST(Topology, IllegalSettingsNameTheKey) {
+  TopologySettings settings;
+  settings.sub_bits = 1;
+  const auto plan = plan_topology(scene().voxels, scene().casting.quads, kLights[0], settings);
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().message, "SUB_BITS=1 is out of range 2..8");
+  EXPECT_FALSE(plan_topology(scene().voxels, {}, Vec3(0, 0, 0), {}).has_value());
+}
+
+TEST(Topology, MissingResultsAreNoticed) {
+  const std::vector<golden::Word> one{golden::topology::encode(TopologyResult{})};
+  EXPECT_EQ(topology_results(one, 1).value().size(), 1U);
+  EXPECT_EQ(topology_results(one, 2).error().message, "the hardware returned 1 voxel states, expected 2");
+  const std::vector<golden::Word> refused{golden::encode(golden::ErrorResult{.error = 4})};
+  EXPECT_FALSE(topology_results(refused, 0).has_value());
+}
+
+/// Whole numbers, so that double precision is exact where it decides.
+TEST(PublishedTest, AgreesWithTheHardwaresOnAnyTriangle) {
+  stimulus::Random random(3);
+  using golden::topology::Offset;
+  std::uint64_t compared = 0, hits = 0, on_side = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::array<Offset, 3> t;
+    for (Offset& o : t) o = {random.between(-6, 6), random.between(-6, 6)};
+    if (i % 5 == 0) t[2] = {2 * t[1].x - t[0].x, 2 * t[1].y - t[0].y};
+    if (i % 7 == 0) t[1] = {-t[0].x, -t[0].y};
+    const auto corner = [&](const Offset& o) {
+      return Vec3(static_cast<double>(o.x), static_cast<double>(o.y),
+                  static_cast<double>(random.between(1, 9)));
+    };
+    const Vec3 v0 = corner(t[0]), v1 = corner(t[1]), v2 = corner(t[2]);
+    const double distance = published_distance(Vec3(0, 0, 0), Vec3(0, 0, 1), v0, v1, v2);
+    const bool hit = golden::topology::hits_triangle(t[0], t[1], t[2]);
+    const auto cross = [](const Offset& a, const Offset& b) { return a.x * b.y - a.y * b.x; };
+    const std::array<std::int64_t, 3> e{cross(t[0], t[1]), cross(t[1], t[2]), cross(t[2], t[0])};
+    if (hit && (e[0] == 0 || e[1] == 0 || e[2] == 0)) {
+      ++on_side;  // rounding may put the beam on either side
+      continue;
+    }
+    EXPECT_EQ(distance > 0 && std::isfinite(distance), hit) << i;
+    ++compared;
+    hits += hit ? 1U : 0U;
+  }
+  EXPECT_GT(compared, 15000U);
+  EXPECT_GT(hits, 1500U);
+  EXPECT_GT(on_side, 500U);
+}
+
+}  // namespace
+}  // namespace gnomon::plan
