@@ -8,11 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <gnomon/golden/slb/model.hpp>
 #include <random>
+#include <string>
 #include <unordered_map>
 
+#include "bench/outline/buffer.hpp"
 #include "host/outline/outline.hpp"
 #include "host/scene/scene.hpp"
 #include "tests/host/outline/winding.hpp"
@@ -106,28 +106,9 @@ struct ShadowError {
   double buffer = 0, fine_map = 0;
 };
 
-void draw(golden::slb::SlbModel& model, const std::vector<outline::Loop>& loops) {
-  const double unit = static_cast<double>(model.config().subpixels());
-  model.begin_object(0, true, 0);
-  for (const auto& loop : loops) {
-    std::vector<golden::slb::Vertex> vertices;
-    for (const auto& v : loop) vertices.push_back({std::llround(v.x * unit), std::llround(v.y * unit), 0});
-    model.loop(vertices);
-  }
-  model.fill();
-  model.end_object();
-}
-
 ShadowError shadow_error(const std::vector<outline::Loop>& loops, const std::vector<outline::Loop>& exact,
                          int plane_log2, int frac_bits) {
-  golden::slb::SlbConfig config;
-  config.frac_bits = config.slope_bits = frac_bits;
-  config.plane_log2 = plane_log2;
-  config.subpixel_bits = frac_bits + 3;
-  config.query_bits = 16;
-  config.depth_bits = 8;
-  golden::slb::SlbModel model(config);
-  draw(model, loops);
+  bench::Buffer buffer(plane_log2, frac_bits, loops);
   const outline::test::LoopSet truth(exact);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -143,11 +124,12 @@ ShadowError shadow_error(const std::vector<outline::Loop>& loops, const std::vec
       const bool in = truth.winding(px, py) > 0;
       const double fx = (std::floor(px * fine) + 0.5) / fine;
       const double fy = (std::floor(py * fine) + 0.5) / fine;
-      wrong += model.query({x, y, 1}, 0).shadow != in ? 1U : 0U;
+      wrong += buffer.shadow(x, y) != in ? 1U : 0U;
       wrong_fine += (truth.winding(fx, fy) > 0) != in ? 1U : 0U;
     }
-  fmt::print("  chains {} dropped {} reduced {}", model.counters().chains, model.counters().chains_dropped,
-             model.counters().chains_reduced);
+  const auto& counters = buffer.counters();
+  fmt::print("  chains {} dropped {} reduced {}", counters.chains, counters.chains_dropped,
+             counters.chains_reduced);
   return {static_cast<double>(wrong), static_cast<double>(wrong_fine)};
 }
 
@@ -221,7 +203,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (int i = 4; i < argc; ++i)
-    if (const int status = run(argv[i], std::atoi(argv[2]), std::atoi(argv[3]), edges == "pixels");
+    if (const int status = run(argv[i], std::stoi(argv[2]), std::stoi(argv[3]), edges == "pixels");
         status != 0)
       return status;
   return 0;

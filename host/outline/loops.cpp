@@ -48,6 +48,7 @@ class Linker {
   /// The path from `begin` on is a loop: its end meets its start.
   void cut_loop(std::size_t begin) {
     Loop loop;
+    loop.reserve(path_.size() - begin);
     for (std::size_t i = begin; i < path_.size(); ++i) {
       loop.push_back(graph_.points[path_[i]]);
       place_[path_[i]] = kNowhere;

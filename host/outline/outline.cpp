@@ -17,7 +17,7 @@
 namespace gnomon::outline {
 namespace {
 
-/// The radius, in pixels, for which the contour is found twice as dense as its edges will be.
+/// The radius, in pixels, that the density of points is made for.
 constexpr double kTypicalRadius = 22;
 /// Depth that a vertex left out may differ by, in pixels' lengths.
 constexpr double kDepthSlack = 0.125;
@@ -35,9 +35,11 @@ double sag(const Options& o) {
   return std::ldexp(0.25, -o.frac_bits);
 }
 
+/// Points that vertices are chosen among must be denser than the vertices will be, the more so where they are
+/// to be balanced to within the sag.
 double cell_size(const Options& o) {
-  const double half_edge = 0.5 * std::sqrt(2 * kTypicalRadius / std::ldexp(1.0, o.frac_bits));
-  return std::max(o.min_edge, std::min(1.0, half_edge));
+  const double edge = std::sqrt(2 * kTypicalRadius / std::ldexp(1.0, o.frac_bits));
+  return o.fit_pixels ? std::clamp(edge / 4, 0.15, 0.5) : std::max(o.min_edge, std::min(1.0, edge / 2));
 }
 
 class Outliner {
@@ -55,7 +57,7 @@ class Outliner {
       out.statistics.cells += t.cells;
       out.statistics.contour_vertices += t.points.size() + t.crossings.size();
     }
-    const BorderSampling sampling{0.25 * sag(options_), 0.25 * options_.min_edge,
+    const BorderSampling sampling{sag(options_) / 16, 0.25 * options_.min_edge,
                                   std::min(1.0, options_.max_edge)};
     const JoinedArcs arcs = join_traces(surface, view_, topology, traces, sampling);
     out.statistics.border_vertices = arcs.border_vertices;

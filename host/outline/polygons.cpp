@@ -38,7 +38,7 @@ std::vector<Side> sorted_sides(std::span<const Triangle> triangles) {
 }
 
 bool triangle_faces_light(const scene::ControlMesh& mesh, const Triangle& t, const LightView& view) {
-  const Vec3 a = mesh.positions[t[0]];
+  const Vec3& a = mesh.positions[t[0]];
   const Vec3 n = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
   const double length = n.length();
   return length > 0 && faces_light(n.dot(view.to_light()) / length);

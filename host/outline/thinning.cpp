@@ -148,8 +148,10 @@ class Balancer {
 
   Loop run() const {
     std::vector<Balance> edges;
+    edges.reserve(kept_.size());
     for (std::size_t i = 0; i < kept_.size(); ++i) edges.push_back(balance(kept_[i], end(i)));
     Loop out;
+    out.reserve(kept_.size());
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       const Vec2 shift = common_shift(edges[(i + edges.size() - 1) % edges.size()], edges[i]);
       const Vertex& v = vertex(kept_[i]);
@@ -200,8 +202,10 @@ Loop by_curvature(const Loop& dense, ThinningLimits limits) {
   limits.fit_pixels = false;
   std::vector<std::size_t> all(dense.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::size_t> kept = Thinner(dense, std::move(all), limits).run();
   Loop out;
-  for (const std::size_t place : Thinner(dense, std::move(all), limits).run()) out.push_back(dense[place]);
+  out.reserve(kept.size());
+  for (const std::size_t place : kept) out.push_back(dense[place]);
   return out;
 }
 

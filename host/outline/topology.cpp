@@ -63,7 +63,7 @@ class TopologyFinder {
     for (const std::uint32_t half : {0U, 1U}) {
       const double middle = half == 0 ? 0.25 : 0.75;
       if (middle < std::min(on.at(0), on.at(1)) || middle > std::max(on.at(0), on.at(1))) continue;
-      Half& h = halves_[2 * on.curve + half];
+      Half& h = halves_[std::size_t{2} * on.curve + half];
       if (h.sides++ == 0) h.face = face;
       h.sum += direction;
       parts_.join(h.face, face);

@@ -46,6 +46,7 @@ ControlMesh two_boxes() {
     m.positions.push_back(first.positions[v] + Vec3(1.4, 1.4, 0));
   for (std::size_t f = 0; f < 6; ++f) {
     std::vector<std::int32_t> face;
+    face.reserve(4);
     for (std::size_t k = 0; k < 4; ++k)
       face.push_back(name[static_cast<std::size_t>(first.face_indices[4 * f + k])]);
     add_face(m, face);

@@ -14,10 +14,11 @@ class Finder {
 
   std::vector<Loop> run() {
     for (face_ = 0; face_ < surface_.face_count(); ++face_) {
+      const auto side = static_cast<std::size_t>(n_) + 1;
       std::vector<Node> nodes;
+      nodes.reserve(side * side);
       for (int j = 0; j <= n_; ++j)
         for (int i = 0; i <= n_; ++i) nodes.push_back(node(double(i) / n_, double(j) / n_));
-      const auto side = static_cast<std::size_t>(n_) + 1;
       for (std::size_t j = 0; j + 1 < side; ++j)
         for (std::size_t i = 0; i + 1 < side; ++i) {
           const std::size_t k = j * side + i;

@@ -30,6 +30,7 @@ std::vector<Corners> corners_of(const surface::LimitSurface& surface, int n) {
   std::vector<Corners> out;
   for (std::uint32_t face = 0; face < surface.face_count(); ++face) {
     std::vector<Vec3> p;
+    p.reserve(side * side);
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) p.push_back(surface.position(face, double(i) / n, double(j) / n));
     for (std::size_t j = 0; j + 1 < side; ++j)
