@@ -4,28 +4,15 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/progress.hpp"
+#include "host/cli/run_settings.hpp"
 #include "host/cli/scene_input.hpp"
 #include "host/cli/versions.hpp"
-#include "host/cli/vpu_settings.hpp"
 #include "host/pipeline/run.hpp"
 
 namespace gnomon::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-pipeline::RunSettings run_settings(const config::Settings& settings) {
-  pipeline::RunSettings run;
-  run.res = static_cast<std::uint32_t>(settings.integer("res"));
-  run.adjacency = adjacency_of(settings);
-  run.technique = settings.word("technique");
-  run.vpu = vpu_settings(settings);
-  run.clock_mhz = settings.number("clock_mhz");
-  run.image_width = static_cast<int>(settings.integer("image_width"));
-  run.image_height = static_cast<int>(settings.integer("image_height"));
-  run.threads = static_cast<unsigned>(settings.integer("threads"));
-  return run;
-}
 
 /// All parameters, resolved, as the report shows them.
 std::vector<report::ParameterValue> parameter_values(const config::Settings& settings) {

@@ -32,8 +32,8 @@ scene::SceneOptions scene_options(const config::Settings& settings) {
   scene::SceneOptions options;
   options.ground = settings.is_on("ground");
   options.up = settings.word("up") == "z" ? scene::UpAxis::Z : scene::UpAxis::Y;
-  options.surface = settings.word("surface") == "polygons" ? scene::SurfaceKind::Polygons
-                                                           : scene::SurfaceKind::CatmullClark;
+  options.surface =
+      settings.word("surface") == "polygon" ? scene::SurfaceKind::Polygons : scene::SurfaceKind::CatmullClark;
   options.image_aspect = static_cast<double>(settings.integer("image_width")) /
                          static_cast<double>(settings.integer("image_height"));
   if (settings.entry("light").origin != "default") {

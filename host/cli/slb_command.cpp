@@ -6,8 +6,8 @@
 #include <chrono>
 
 #include "host/cli/output_files.hpp"
-#include "host/cli/projection_jobs.hpp"
 #include "host/cli/scene_input.hpp"
+#include "host/cli/shadow_jobs.hpp"
 #include "host/cli/slb_figures.hpp"
 #include "host/cli/slb_report.hpp"
 #include "host/report/numbers.hpp"

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "host/cli/progress.hpp"
-#include "host/cli/projection_jobs.hpp"
 #include "host/cli/scene_input.hpp"
+#include "host/cli/shadow_jobs.hpp"
 #include "host/cli/slb_settings.hpp"
 #include "host/slb/loop_check.hpp"
 #include "host/slb/loop_file.hpp"
@@ -34,8 +34,11 @@ int plane_that_holds(const slb::LoopScene& scene) {
 
 Result<golden::HardwareConfig> hardware(const config::Settings& settings, const slb::LoopScene& scene) {
   const plan::SlbSettings chosen = slb_settings(settings);
-  const golden::HardwareConfig config =
+  golden::HardwareConfig config =
       chosen.hardware(chosen.plane_log2 > 0 ? chosen.plane_log2 : plane_that_holds(scene));
+  // The unit alone: as little of the projection unit as can be built.
+  config.en_vpu_offset = false;
+  config.plane_log2 = 4;
   if (const std::optional<std::string> refusal = config.check()) {
     return fail(fmt::format("command line: error: no hardware has these parameters ({}): {}",
                             slb_configuration(config), *refusal));

@@ -9,7 +9,7 @@
 #include "host/cli/junit.hpp"
 #include "host/cli/output_files.hpp"
 #include "host/cli/progress.hpp"
-#include "host/cli/projection_jobs.hpp"
+#include "host/cli/shadow_jobs.hpp"
 #include "sim/compare.hpp"
 
 namespace gnomon::cli {
@@ -64,7 +64,7 @@ class VerifyCommand : public Command {
   Result<void> verify(Context& context, const fs::path& scene, std::vector<Verdict>& verdicts) const {
     const Result<LoadedScene> input = load_input(context, scene, set_);
     if (!input) return tl::make_unexpected(input.error());
-    const Result<std::vector<ProjectionJob>> jobs = projection_jobs(context, *input);
+    const Result<std::vector<ShadowJob>> jobs = shadow_jobs(context, *input);
     if (!jobs) return tl::make_unexpected(jobs.error());
     for (std::size_t i = 0; i < jobs->size(); ++i) {
       Result<Verdict> verdict = with_models(context, [&](sim::ModelCache& cache) {
@@ -78,7 +78,7 @@ class VerifyCommand : public Command {
     return {};
   }
 
-  Verdict compare(Context& context, sim::ModelCache& cache, const ProjectionJob& job,
+  Verdict compare(Context& context, sim::ModelCache& cache, const ShadowJob& job,
                   const config::Settings& settings) const {
     sim::RtlOptions options = rtl_options(context, settings, defines_);
     ProgressLine line(context.show_progress);

@@ -7,7 +7,7 @@
 
 #include "host/cli/output_files.hpp"
 #include "host/cli/progress.hpp"
-#include "host/cli/projection_jobs.hpp"
+#include "host/cli/shadow_jobs.hpp"
 #include "sim/wave.hpp"
 
 namespace gnomon::cli {
@@ -41,7 +41,7 @@ class WaveCommand : public Command {
     if (Result<void> sound = check(); !sound) return tl::make_unexpected(sound.error());
     const Result<LoadedScene> input = load_input(context, scene_, set_);
     if (!input) return tl::make_unexpected(input.error());
-    const Result<std::vector<ProjectionJob>> jobs = projection_jobs(context, *input);
+    const Result<std::vector<ShadowJob>> jobs = shadow_jobs(context, *input);
     if (!jobs) return tl::make_unexpected(jobs.error());
     OutputFiles files;
     sim::Wave wave;
@@ -67,7 +67,7 @@ class WaveCommand : public Command {
     return check_output(output_);
   }
 
-  sim::Wave trace(Context& context, sim::ModelCache& cache, const ProjectionJob& job,
+  sim::Wave trace(Context& context, sim::ModelCache& cache, const ShadowJob& job,
                   const config::Settings& settings, const fs::path& file) const {
     sim::RtlOptions options = rtl_options(context, settings, defines_);
     ProgressLine line(context.show_progress);

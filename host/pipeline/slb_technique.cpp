@@ -218,7 +218,6 @@ Result<std::unique_ptr<Technique>> make_slb(const RunSettings& settings, const T
                                             bool with_voxels) {
   auto slb = plan::plan_slb(input.voxels, input.surfaces.size(), input.light, settings.slb);
   if (!slb) return fail(slb.error().message);
-  slb->config.en_vpu_offset = false;
   if (!with_voxels) return std::make_unique<SlbTechnique>(input, std::move(*slb), std::nullopt);
   plan::VpuSettings vpu_settings = settings.vpu;
   vpu_settings.plane_log2 = 0;  // `plane` is the SLB's here

@@ -16,7 +16,8 @@ namespace gnomon::plan {
 
 /// Everything the SLB needs for one directional light.
 struct SlbPlan {
-  golden::HardwareConfig config;  ///< with the SLB; the projection unit's parameters are at their defaults
+  golden::HardwareConfig config;  ///< with the SLB and without the offset test; the projection unit's
+                                  ///< parameters are at their defaults
   LightPlane plane;
   double codes_per_voxel = 1;
   double nearest = 0;       ///< voxels along `away`: the depth of code 0

@@ -17,9 +17,10 @@ struct SlbSettings {
   golden::slb::Rounding rounding = golden::slb::Rounding::Better;
   int plane_log2 = 0;  ///< log2 of the plane's side; 0: what the scene needs
 
-  /// The hardware with a plane of this size. Not checked.
+  /// The hardware with a plane of this size, and without the projection unit's resolve pass. Not checked.
   golden::HardwareConfig hardware(int side_log2) const {
     golden::HardwareConfig config;
+    config.en_vpu_offset = false;
     config.en_slb = true;
     config.slb_plane_log2 = side_log2;
     config.frac_bits = frac_bits;

@@ -45,6 +45,19 @@ TEST_F(VerifyTest, FindsSoundHardwareSound) {
   EXPECT_THAT(xml.str(), HasSubstr("tests=\"1\" failures=\"0\""));
 }
 
+TEST_F(VerifyTest, ComparesTheSilhouetteLineBufferToo) {
+  const std::vector<std::string> slb{"--set", "technique=slb", "--set", "plane=64", "--json"};
+  const Outcome outcome = gnomon({"verify"}, slb);
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const auto verdicts = nlohmann::json::parse(outcome.out);
+  // Every stored entry is a word and four raw ones, beside an answer a voxel that faces the light.
+  EXPECT_GT(verdicts.at(0).at("compare").at("words_compared"), 64 * 64 * 5 + 500);
+  EXPECT_EQ(verdicts.at(0).at("compare").at("words_differing"), 0);
+  std::vector<std::string> fault = slb;
+  fault.insert(fault.end(), {"--define", "GNOMON_MUTATE_SLB_LAST_OF_EQUAL"});
+  EXPECT_EQ(gnomon({"verify"}, fault).status, 1);
+}
+
 TEST_F(VerifyTest, ShowsTheFirstDifference) {
   const Outcome outcome = gnomon({"verify"}, kFault);
   EXPECT_EQ(outcome.status, 1);

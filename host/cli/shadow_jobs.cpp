@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the hardware is asked to do for a scene.
-#include "host/cli/projection_jobs.hpp"
+#include "host/cli/shadow_jobs.hpp"
 
+#include "host/cli/run_settings.hpp"
 #include "host/cli/scene_voxels.hpp"
-#include "host/cli/vpu_settings.hpp"
-#include "host/plan/vpu_plan.hpp"
+#include "host/pipeline/technique.hpp"
 
 namespace gnomon::cli {
 
-Result<std::vector<ProjectionJob>> projection_jobs(Context& context, const LoadedScene& input) {
-  const Result<voxel::VoxelSet> voxels = voxelize_scene(context, input);
-  if (!voxels) return tl::make_unexpected(voxels.error());
+Result<std::vector<ShadowJob>> shadow_jobs(Context& context, const LoadedScene& input) {
+  const Result<VoxelizedScene> voxelized = voxelize_with_subpatches(context, input);
+  if (!voxelized) return tl::make_unexpected(voxelized.error());
   std::vector<bool> two_sided;
   for (const scene::Object& object : input.scene.objects) two_sided.push_back(object.two_sided);
-  std::vector<ProjectionJob> jobs;
+  const pipeline::RunSettings settings = run_settings(input.settings);
+  std::vector<ShadowJob> jobs;
   for (const scene::DirectionalLight& light : input.scene.lights) {
     context.interruption.check();
     // The grid is the world moved and scaled evenly: directions stay.
-    const Result<plan::VpuPlan> plan = plan::plan_vpu(*voxels, light.direction, vpu_settings(input.settings));
-    if (!plan) return tl::make_unexpected(plan.error());
-    jobs.push_back({plan->config,
-                    plan::vpu_stream(*plan, *voxels, plan::voxel_items(*voxels, plan->config), two_sided)});
+    const Result<std::unique_ptr<pipeline::Technique>> technique = pipeline::make_technique(
+        settings, {voxelized->surfaces, two_sided, voxelized->voxels, light.direction});
+    if (!technique) return tl::make_unexpected(technique.error());
+    Result<std::vector<golden::Word>> stream = (*technique)->stream({});
+    if (!stream) return tl::make_unexpected(stream.error());
+    jobs.push_back({(*technique)->config(), std::move(*stream)});
   }
   return jobs;
 }

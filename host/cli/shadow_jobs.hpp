@@ -15,13 +15,14 @@
 
 namespace gnomon::cli {
 
-struct ProjectionJob {
+struct ShadowJob {
   golden::HardwareConfig config;
   std::vector<golden::Word> stream;
 };
 
-/// Voxelizes the scene and plans every light. Throws Interrupted.
-Result<std::vector<ProjectionJob>> projection_jobs(Context& context, const LoadedScene& input);
+/// Voxelizes the scene and makes the technique's stream for every light: a silhouette-line buffer is asked
+/// about every voxel. Throws Interrupted.
+Result<std::vector<ShadowJob>> shadow_jobs(Context& context, const LoadedScene& input);
 
 /// Options of the rtl engine that several subcommands share: seed, Ctrl-C, and faults to be built in.
 sim::RtlOptions rtl_options(const Context& context, const config::Settings& settings,
