@@ -40,22 +40,9 @@ VpuSettings projection_settings(const TopologySettings& settings) {
   return vpu;
 }
 
-topology::TopologyConfig topology_config(const golden::HardwareConfig& hardware,
-                                         const TopologySettings& settings) {
-  topology::TopologyConfig config;
-  config.voxel_bits = hardware.voxel_bits;
-  config.voxel_frac_bits = hardware.voxel_frac_bits;
-  config.normal_bits = hardware.normal_bits;
-  config.matrix_frac_bits = hardware.matrix_frac_bits;
-  config.depth_bits = hardware.depth_bits;
-  config.plane_log2 = hardware.plane_log2;
-  config.sub_bits = settings.sub_bits;
-  config.span_log2 = settings.span_log2;
-  return config;
-}
-
 /// Every voxel as a corner, with the unit's own arithmetic.
 std::vector<topology::Corner> land(const TopologyPlan& plan) {
+  const topology::TopologyConfig config = plan.vpu.config.topology_config();
   const auto& m = plan.vpu.registers;
   std::vector<topology::Corner> corners(plan.items.size());
   std::transform(plan.items.begin(), plan.items.end(), corners.begin(), [&](const golden::VoxelItem& item) {
@@ -63,7 +50,7 @@ std::vector<topology::Corner> land(const TopologyPlan& plan) {
       return m[first] * item.position[0] + m[first + 1] * item.position[1] + m[first + 2] * item.position[2] +
              m[first + 3];
     };
-    return topology::land_corner({row(0), row(4), row(8)}, plan.config);
+    return topology::land_corner({row(0), row(4), row(8)}, config);
   });
   return corners;
 }
@@ -84,13 +71,14 @@ void sort_by_far(std::vector<voxel::VoxelQuad>& quads, std::span<const topology:
 
 /// Counts the nodes of every entry, were the pool large enough.
 std::uint64_t count_nodes(TopologyPlan& plan, std::span<const topology::Corner> corners) {
-  const std::int64_t last = plan.config.side() - 1;
+  const int sub_bits = plan.vpu.config.sub_bits;
+  const std::int64_t last = plan.vpu.config.plane_side() - 1;
   plan.list_length.assign(static_cast<std::size_t>((last + 1) * (last + 1)), 0);
   std::uint64_t nodes = 0;
   for (const voxel::VoxelQuad& quad : plan.quads) {
     std::array<std::int64_t, 2> low{last + 1, last + 1}, high{-1, -1};
     for (const std::uint32_t c : quad) {
-      const std::array at{corners[c].u >> plan.config.sub_bits, corners[c].v >> plan.config.sub_bits};
+      const std::array at{corners[c].u >> sub_bits, corners[c].v >> sub_bits};
       for (std::size_t axis = 0; axis < 2; ++axis) {
         low[axis] = std::min(low[axis], std::max<std::int64_t>(at[axis], 0));
         high[axis] = std::max(high[axis], std::min(at[axis], last));
@@ -123,25 +111,30 @@ Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<cons
   }
   if (settings.clearance < 0) plan.settings.clearance = choice.clearance;
   plan.vpu = std::move(*vpu);
-  plan.config = topology_config(plan.vpu.config, settings);
+  golden::HardwareConfig& config = plan.vpu.config;
+  config.en_vpu_offset = false;
+  config.en_vpu_topology = true;
+  config.sub_bits = settings.sub_bits;
+  config.span_log2 = settings.span_log2;
   const double codes = std::round(plan.settings.clearance * plan.vpu.projection.codes_per_voxel);
-  plan.clearance = static_cast<std::uint32_t>(std::min(codes, static_cast<double>(plan.config.no_depth())));
-  if (const auto wrong = plan.config.check()) return fail(*wrong);
+  plan.clearance =
+      static_cast<std::uint32_t>(std::min(codes, static_cast<double>(config.topology_config().no_depth())));
+  if (const auto wrong = config.check()) return fail(*wrong);
 
   plan.items = voxel_items(voxels, plan.vpu.config);
   plan.quads.assign(quads.begin(), quads.end());
   const auto corners = land(plan);
   if (settings.sorted) sort_by_far(plan.quads, corners);
   const std::uint64_t nodes = count_nodes(plan, corners);
-  plan.config.nodes_log2 = settings.nodes_log2 > 0 ? settings.nodes_log2 : log2_at_least(nodes);
-  plan.config.quads_log2 = settings.quads_log2 > 0 ? settings.quads_log2 : log2_at_least(quads.size());
-  if (const auto wrong = plan.config.check()) return fail(*wrong);
+  config.nodes_log2 = settings.nodes_log2 > 0 ? settings.nodes_log2 : log2_at_least(nodes);
+  config.quads_log2 = settings.quads_log2 > 0 ? settings.quads_log2 : log2_at_least(quads.size());
+  if (const auto wrong = config.check()) return fail(*wrong);
   plan.settings.pitch = plan.vpu.settings.pitch;
-  plan.settings.plane_log2 = plan.config.plane_log2;
-  plan.settings.voxel_frac_bits = plan.config.voxel_frac_bits;
-  plan.settings.normal_bits = plan.config.normal_bits;
-  plan.settings.nodes_log2 = plan.config.nodes_log2;
-  plan.settings.quads_log2 = plan.config.quads_log2;
+  plan.settings.plane_log2 = config.plane_log2;
+  plan.settings.voxel_frac_bits = config.voxel_frac_bits;
+  plan.settings.normal_bits = config.normal_bits;
+  plan.settings.nodes_log2 = config.nodes_log2;
+  plan.settings.quads_log2 = config.quads_log2;
   return plan;
 }
 

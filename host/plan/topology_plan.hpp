@@ -4,7 +4,6 @@
 #pragma once
 
 #include <gnomon/golden/topology/codec.hpp>
-#include <gnomon/golden/topology/config.hpp>
 #include <span>
 #include <vector>
 
@@ -33,8 +32,7 @@ struct TopologySettings {
 
 /// Everything topology mode needs for one directional light.
 struct TopologyPlan {
-  VpuPlan vpu;  ///< projection and registers; OFFSET_FACTOR is the lift
-  golden::topology::TopologyConfig config;
+  VpuPlan vpu;                             ///< hardware, projection, registers; OFFSET_FACTOR is the lift
   TopologySettings settings;               ///< as resolved
   std::uint32_t clearance = 0;             ///< depth codes
   std::vector<golden::VoxelItem> items;    ///< the voxels as the hardware sees them

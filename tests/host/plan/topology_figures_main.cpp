@@ -61,10 +61,12 @@ struct Row {
 
 struct Lists {
   std::uint64_t nodes = 0, entries = 0, quads = 0, voxels = 0;
+  std::uint64_t insertion = 0;  // nodes passed, were the hardware to keep lists sorted: half of each list
   std::uint32_t longest = 0;
   void add(const plan::TopologyPlan& plan) {
     for (const std::uint32_t length : plan.list_length) {
       nodes += length;
+      if (length > 0) insertion += std::uint64_t{length} * (length - 1) / 4;
       entries += length > 0 ? 1U : 0U;
       longest = std::max(longest, length);
     }
@@ -110,12 +112,12 @@ void measure(const std::string& path, std::uint32_t res, bool ground, const Vec3
 
   const auto fixed = [&](const plan::TopologySettings& settings, Row& row) {
     const auto plan = require(plan::plan_topology(voxels, casting.quads, travel, settings));
-    const auto run = test::run_topology(plan, plan::topology_stream(plan, voxels, two_sided));
+    const auto run = test::run_topology(plan, voxels, two_sided);
     row.add(truth, states_of(run));
-    row.uncertain += run.counters.uncertain;
-    row.visited += run.counters.nodes_visited;
-    row.tested += run.counters.quads_tested;
-    row.fallback += run.counters.fallback;
+    row.uncertain += run.events.at("TOPOLOGY_UNCERTAIN");
+    row.visited += run.events.at("NODES_VISITED");
+    row.tested += run.events.at("QUADS_TESTED");
+    row.fallback += run.events.at("TOPOLOGY_FALLBACK");
     return plan;
   };
   for (int bits = 0; bits < 5; ++bits) {
@@ -156,10 +158,14 @@ int main(int argc, char** argv) {
       table.fixed[bits].print(fmt::format("fixed, {} fraction bits", bits));
     table.unsorted.print("fixed, 2, lists not sorted");
     const auto& lists = table.lists;
-    fmt::print("quads a voxel {:.2f}, nodes a quad {:.2f}, list length mean {:.1f} longest {}\n",
-               static_cast<double>(lists.quads) / static_cast<double>(lists.voxels),
-               static_cast<double>(lists.nodes) / static_cast<double>(lists.quads),
-               static_cast<double>(lists.nodes) / static_cast<double>(lists.entries), lists.longest);
+    fmt::print(
+        "quads a voxel {:.2f}, nodes a quad {:.2f}, list length mean {:.1f} longest {}, sorted insertion "
+        "would "
+        "pass {:.1f} nodes\n",
+        static_cast<double>(lists.quads) / static_cast<double>(lists.voxels),
+        static_cast<double>(lists.nodes) / static_cast<double>(lists.quads),
+        static_cast<double>(lists.nodes) / static_cast<double>(lists.entries), lists.longest,
+        static_cast<double>(lists.insertion) / static_cast<double>(lists.nodes));
   }
   return 0;
 }

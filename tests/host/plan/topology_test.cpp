@@ -55,7 +55,7 @@ TopologyPlan plan_of(const Vec3& light, const TopologySettings& settings = {}) {
   return plan_topology(scene().voxels, scene().casting.quads, light, settings).value();
 }
 test::TopologyRun run(const TopologyPlan& plan) {
-  return test::run_topology(plan, topology_stream(plan, scene().voxels, kTwoSided));
+  return test::run_topology(plan, scene().voxels, kTwoSided);
 }
 std::vector<VoxelState> states(std::span<const TopologyResult> results) {
   std::vector<VoxelState> out;
@@ -80,10 +80,10 @@ TEST(Topology, AgreesWithExactRays) {
       const auto answers = run(plan);
       EXPECT_EQ(answers.results.size(), scene().voxels.voxels.size());
       EXPECT_LE(wrong(states(answers.results)).share(), limit) << bits << " fraction bits";
-      EXPECT_LE(answers.counters.quads_tested, 6 * answers.counters.uncertain);
-      EXPECT_EQ(answers.counters.fallback, 0U);
-      EXPECT_FALSE(answers.sticky.list_overflow || answers.sticky.quad_off_plane);
-      shadow += answers.counters.hit;
+      EXPECT_LE(answers.events.at("QUADS_TESTED"), 6 * answers.events.at("TOPOLOGY_UNCERTAIN"));
+      EXPECT_EQ(answers.events.at("TOPOLOGY_FALLBACK"), 0U);
+      EXPECT_EQ(answers.sticky, 0U);
+      shadow += answers.events.at("TOPOLOGY_HIT");
     }
     const auto quads = voxel::limit_quads(scene().surfaces, scene().voxels);
     const auto exact = topology_states_double(plan_of(light), scene().voxels, quads, kTwoSided);
@@ -100,11 +100,12 @@ TEST(Topology, OrderOfListsDoesNotChangeAState) {
   for (const Vec3& light : kLights) {
     const auto sorted = run(plan_of(light)), unsorted = run(plan_of(light, settings));
     EXPECT_EQ(states(sorted.results), states(unsorted.results));
-    EXPECT_EQ(sorted.counters.uncertain, unsorted.counters.uncertain);
-    EXPECT_EQ(sorted.counters.nodes_linked, unsorted.counters.nodes_linked);
-    EXPECT_LT(sorted.counters.nodes_visited, unsorted.counters.nodes_visited);
-    EXPECT_LE(sorted.counters.nodes_visited,
-              sorted.counters.quads_tested + sorted.counters.uncertain - sorted.counters.hit);
+    EXPECT_EQ(sorted.events.at("TOPOLOGY_UNCERTAIN"), unsorted.events.at("TOPOLOGY_UNCERTAIN"));
+    EXPECT_EQ(sorted.events.at("NODES_LINKED"), unsorted.events.at("NODES_LINKED"));
+    EXPECT_LT(sorted.events.at("NODES_VISITED"), unsorted.events.at("NODES_VISITED"));
+    EXPECT_LE(sorted.events.at("NODES_VISITED"), sorted.events.at("QUADS_TESTED") +
+                                                     sorted.events.at("TOPOLOGY_UNCERTAIN") -
+                                                     sorted.events.at("TOPOLOGY_HIT"));
   }
 }
 
@@ -133,9 +134,9 @@ TEST(Topology, PoolsHoldTheScene) {
   const auto plan = plan_of(kLights[1]);
   const std::uint64_t nodes =
       std::accumulate(plan.list_length.begin(), plan.list_length.end(), std::uint64_t{0});
-  EXPECT_EQ(run(plan).counters.nodes_linked, nodes);
-  EXPECT_LE(nodes, std::uint64_t{1} << plan.config.nodes_log2);
-  EXPECT_GT(2 * nodes, std::uint64_t{1} << plan.config.nodes_log2);
+  EXPECT_EQ(run(plan).events.at("NODES_LINKED"), nodes);
+  EXPECT_LE(nodes, std::uint64_t{1} << plan.vpu.config.nodes_log2);
+  EXPECT_GT(2 * nodes, std::uint64_t{1} << plan.vpu.config.nodes_log2);
   EXPECT_EQ(plan.quads.size(), scene().casting.quads.size());
 }
 
@@ -144,8 +145,8 @@ TEST(Topology, ASmallPoolIsFlaggedAndLosesNoShadow) {
   const auto whole = run(plan_of(kLights[1]));
   settings.nodes_log2 = 13;
   const auto small = run(plan_of(kLights[1], settings));
-  EXPECT_TRUE(small.sticky.list_overflow);
-  EXPECT_GT(small.counters.fallback, 100U);
+  EXPECT_EQ(small.sticky, golden::topology::kStickyListOverflow);
+  EXPECT_GT(small.events.at("TOPOLOGY_FALLBACK"), 100U);
   std::uint64_t differ = 0;
   for (std::size_t i = 0; i < whole.results.size(); ++i) {
     EXPECT_GE(small.results[i].shadow, whole.results[i].shadow);
