@@ -17,7 +17,6 @@ namespace {
 template <class F>
 double find_zero(double f0, double f1, F f) {
   constexpr double kFlat = 1e-13;
-  if (f1 >= 0) return 1;
   double a = 0;
   double b = 1;
   int kept = 0;
@@ -57,13 +56,14 @@ class FaceTracer {
  private:
   struct Node {
     Parameter at;
-    double cosine;
-    bool plus() const { return faces_light(cosine); }
+    double excess;  // of the cosine over what is edge-on
+    bool plus() const { return excess > 0; }
   };
-  using Crossing = std::pair<bool, FaceTrace::End>;  // leaves plus?, where
 
-  double cosine(const Parameter& p) const { return stance(surface_, view_, {face_, p.u, p.v}).cosine; }
-  Node node(const Parameter& p) const { return {p, cosine(p)}; }
+  double excess(const Parameter& p) const {
+    return stance(surface_, view_, {face_, p.u, p.v}).cosine - kEdgeOn;
+  }
+  Node node(const Parameter& p) const { return {p, excess(p)}; }
 
   void trace(const Cell& cell) {
     const std::vector<std::uint32_t> ring = corners_.perimeter(cell);
@@ -109,7 +109,7 @@ class FaceTracer {
     const auto at = [&](double t) {
       return Parameter{plus.at.u + t * (minus.at.u - plus.at.u), plus.at.v + t * (minus.at.v - plus.at.v)};
     };
-    const double t = find_zero(plus.cosine, minus.cosine, [&](double x) { return cosine(at(x)); });
+    const double t = find_zero(plus.excess, minus.excess, [&](double x) { return excess(at(x)); });
     const Parameter p = t == 1 ? minus.at : at(t);
     if (const int side = common_side(plus.at, minus.at); side >= 0) {
       out_.crossings.push_back({static_cast<std::uint32_t>(side), side % 2 == 0 ? p.u : p.v});

@@ -143,9 +143,14 @@ std::vector<Case> all_cases() {
 }
 
 std::vector<Light> all_lights() {
-  return {{"oblique", {0.31, -0.83, -0.46}},  {"grazing", {0.93, 0.11, -0.21}}, {"along x", {1, 0, 0}},
-          {"along -z", {0, 0, -1}},           {"along xy", {1, 1, 0}},          {"along xyz", {-1, -1, -1}},
-          {"almost along z", {1e-7, 3e-8, 1}}};
+  return {{"oblique", {0.31, -0.83, -0.46}},
+          {"grazing", {0.93, 0.11, -0.21}},
+          {"along x", {1, 0, 0}},
+          {"along -z", {0, 0, -1}},
+          {"along xy", {1, 1, 0}},
+          {"along xyz", {-1, -1, -1}},
+          {"almost along z", {1e-7, 3e-8, 1}},
+          {"a hair off z", {5e-10, 1.4e-9, 1}}};
 }
 
 LightFrame view_along(const Vec3& light, const Box3& box, double pixels, bool mirrored) {
