@@ -112,7 +112,6 @@ Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<cons
   if (settings.clearance < 0) plan.settings.clearance = choice.clearance;
   plan.vpu = std::move(*vpu);
   golden::HardwareConfig& config = plan.vpu.config;
-  config.en_vpu_offset = false;
   config.en_vpu_topology = true;
   config.sub_bits = settings.sub_bits;
   config.span_log2 = settings.span_log2;
