@@ -16,6 +16,7 @@
 
 #include "host/base/result.hpp"
 #include "host/plan/slb_settings.hpp"
+#include "host/plan/topology_plan.hpp"
 #include "host/plan/vpu_plan.hpp"
 #include "host/report/run_record.hpp"
 #include "host/scene/scene.hpp"
@@ -33,8 +34,9 @@ enum class EngineKind : std::uint8_t {
 struct RunSettings {
   std::uint32_t res = 256;
   voxel::Adjacency adjacency = voxel::Adjacency::N26;
-  std::string technique = "voxel-offset";  ///< or "slb", "slb+voxel"
+  std::string technique = "voxel-offset";  ///< or "voxel-topology", "slb", "slb+voxel"
   plan::VpuSettings vpu;
+  plan::TopologySettings topology;
   plan::SlbSettings slb;
   double clock_mhz = 100;  ///< the clock at which cycles are told as time
   int image_width = 960;   ///< pixels

@@ -45,6 +45,13 @@ Json hardware_json(const golden::HardwareConfig& c) {
                {"NORMAL_BITS", c.normal_bits},     {"MATRIX_FRAC_BITS", c.matrix_frac_bits},
                {"DEPTH_BITS", c.depth_bits},       {"PLANE_LOG2", c.plane_log2},
                {"EN_VPU_OFFSET", c.en_vpu_offset}, {"EN_SLB", c.en_slb}};
+  json["EN_VPU_TOPOLOGY"] = c.en_vpu_topology;
+  if (c.en_vpu_topology) {
+    json["SUB_BITS"] = c.sub_bits;
+    json["SPAN_LOG2"] = c.span_log2;
+    json["NODES_LOG2"] = c.nodes_log2;
+    json["QUADS_LOG2"] = c.quads_log2;
+  }
   if (!c.en_slb) return json;
   json["SLB_PLANE_LOG2"] = c.slb_plane_log2;
   json["FRAC_BITS"] = c.frac_bits;
@@ -158,6 +165,33 @@ Json plane_json(const RunRecord& record) {
           {"saturated", event(record, "PROJECT_SATURATED")}};
 }
 
+std::uint64_t topology_bits(const TopologyRecord& t) {
+  return std::uint64_t{t.side} * t.side * t.head_bits + t.node_bits + t.record_bits;
+}
+
+Json topology_json(const RunRecord& record) {
+  if (!record.topology) return nullptr;
+  const TopologyRecord& t = *record.topology;
+  const std::uint64_t uncertain = event(record, "TOPOLOGY_UNCERTAIN");
+  const std::uint64_t linked = event(record, "NODES_LINKED");
+  return {{"side", t.side},
+          {"pitch", t.pitch},
+          {"entries", std::uint64_t{t.side} * t.side},
+          {"lists", t.lists},
+          {"longest_list", t.longest},
+          {"mean_list", ratio(linked, t.lists)},
+          {"quads", event(record, "QUADS_PUT")},
+          {"nodes", linked},
+          {"nodes_dropped", event(record, "NODES_DROPPED")},
+          {"uncertain", uncertain},
+          {"uncertain_share", ratio(uncertain, event(record, "TOPOLOGY_RESOLVED"))},
+          {"facing_away", event(record, "TOPOLOGY_FACING_AWAY")},
+          {"hits", event(record, "TOPOLOGY_HIT")},
+          {"fallbacks", event(record, "TOPOLOGY_FALLBACK")},
+          {"nodes_visited_per_uncertain", ratio(event(record, "NODES_VISITED"), uncertain)},
+          {"quads_tested_per_uncertain", ratio(event(record, "QUADS_TESTED"), uncertain)}};
+}
+
 Json slb_json(const RunRecord& record) {
   if (!record.slb) return nullptr;
   const SlbRecord& s = *record.slb;
@@ -185,6 +219,7 @@ Json memory_json(const RunRecord& record) {
   const std::uint64_t entries = entries_of(record);
   const SlbRecord slb = record.slb.value_or(SlbRecord{});
   const std::uint64_t pixels = std::uint64_t{slb.side} * slb.side;
+  const std::uint64_t lists = record.topology ? topology_bits(*record.topology) : 0;
   const std::uint64_t scratch = pixels * slb.pixel_scratch_bits + slb.side * slb.row_bits;
   const std::uint64_t res = record.grid.res;
   return {{"plane_entries", entries},
@@ -194,7 +229,8 @@ Json memory_json(const RunRecord& record) {
           {"slb_entry_bits", slb.entry_bits},
           {"slb_plane_bits", pixels * slb.entry_bits},
           {"slb_scratch_bits", scratch},
-          {"hardware_bits", entries * kPlaneEntryBits + pixels * slb.entry_bits + scratch},
+          {"topology_bits", lists},
+          {"hardware_bits", lists + entries * kPlaneEntryBits + pixels * slb.entry_bits + scratch},
           {"frame_buffer_bits", 2 * res * res * res},
           {"command_stream_bits", 64 * record.command_words}};
 }
@@ -287,18 +323,27 @@ Json cycles_json(const RunRecord& record) {
   Json per_voxel = Json::object();
   Json rates = {
       {"cycles_per_crossing", nullptr}, {"cycles_per_query", nullptr}, {"fill_pixels_per_cycle", nullptr}};
+  Json rates_of_lists = {{"cycles_per_node", nullptr}, {"cycles_per_node_visited", nullptr}};
   std::uint64_t sum = 0;
   for (const PassCycles& pass : record.cycles) {
     const std::uint64_t cycles = total(pass);
     sum += cycles;
     passes[pass.pass] = {{"total", cycles}, {"causes", pass.causes}};
     if (pass.pass == "PROJECT") per_voxel["project"] = ratio(cycles, event(record, "VOXELS_PROJECTED"));
+    if (pass.pass == "PROJECT")
+      rates_of_lists["cycles_per_node"] = ratio(cycles, event(record, "NODES_LINKED"));
+    if (pass.pass == "RESOLVE")
+      rates_of_lists["cycles_per_node_visited"] = ratio(cycles, event(record, "NODES_VISITED"));
     if (pass.pass == "RESOLVE") per_voxel["resolve"] = ratio(cycles, event(record, "VOXELS_RESOLVED"));
     if (pass.pass == "DRAW") rates["cycles_per_crossing"] = ratio(cycles, event(record, "SLB_CROSSINGS"));
     if (pass.pass == "QUERY") rates["cycles_per_query"] = ratio(cycles, event(record, "SLB_QUERIES"));
     if (pass.pass == "FILL") rates["fill_pixels_per_cycle"] = ratio(event(record, "SLB_FILL_PIXELS"), cycles);
   }
-  return {{"total", sum}, {"by_pass", passes}, {"per_voxel", per_voxel}, {"slb", rates}};
+  return {{"total", sum},
+          {"by_pass", passes},
+          {"per_voxel", per_voxel},
+          {"slb", rates},
+          {"topology", rates_of_lists}};
 }
 
 Json run_time_json(const RunRecord& record, const Json& cycles) {
@@ -374,6 +419,7 @@ Json metrics_json(const RunRecord& record) {
           {"run_time", run_time_json(record, cycles)},
           {"memory", memory_json(record)},
           {"plane", plane_json(record)},
+          {"topology", topology_json(record)},
           {"slb", slb_json(record)},
           {"voxels", voxels_json(record)},
           {"events", record.events},

@@ -66,6 +66,28 @@ Json voxel_rows(const Json& m) {
   return rows;
 }
 
+Json topology_rows(const Json& m) {
+  const Json& t = m.at("topology");
+  Json rows = Json::array();
+  rows.push_back(row("side", count(t.at("side")) + " entries"));
+  rows.push_back(row("pitch", fmt::format("{:g} voxels an entry", t.at("pitch").get<double>())));
+  rows.push_back(row("quads, nodes", count(t.at("quads")) + ", " + count(t.at("nodes"))));
+  rows.push_back(row("nodes that did not fit", count(t.at("nodes_dropped"))));
+  rows.push_back(row("list length, mean and longest",
+                     number(t.at("mean_list"), 2) + ", " + count(t.at("longest_list"))));
+  rows.push_back(row("facing away", count(t.at("facing_away"))));
+  rows.push_back(
+      row("uncertain", fmt::format("{} ({})", count(t.at("uncertain")), share(t.at("uncertain_share")))));
+  rows.push_back(row(
+      "an uncertain voxel: nodes visited, quads tested",
+      number(t.at("nodes_visited_per_uncertain"), 2) + ", " + number(t.at("quads_tested_per_uncertain"), 2)));
+  rows.push_back(
+      row("hits; answered by the nearest depth", count(t.at("hits")) + "; " + count(t.at("fallbacks"))));
+  rows.push_back(
+      row("memory: heads, nodes, quads", bits(m.at("memory").at("topology_bits").get<std::uint64_t>())));
+  return rows;
+}
+
 Json slb_rows(const Json& m) {
   const Json& s = m.at("slb");
   const Json& memory = m.at("memory");
@@ -164,7 +186,8 @@ Json model_section(const Json& m) {
       grid.at("res").dump(), grid.at("voxel_size").get<double>(), grid.at("origin").at(0).get<double>(),
       grid.at("origin").at(1).get<double>(), grid.at("origin").at(2).get<double>());
   view["voxel_rows"] = voxel_rows(m);
-  view["plane"] = view["slb"] = false;
+  view["plane"] = view["slb"] = view["topology"] = false;
+  if (!m.at("topology").is_null()) view["topology"] = {{"rows", topology_rows(m)}};
   if (!m.at("plane").is_null()) view["plane"] = {{"rows", plane_rows(m)}};
   if (!m.at("slb").is_null()) view["slb"] = {{"rows", slb_rows(m)}};
   return view;

@@ -50,6 +50,13 @@ void add_rates(const Json& m, Json& tiles) {
                          number(per_voxel.at("project"), 3) + " + " + number(per_voxel.at("resolve"), 3),
                          "project + resolve"));
   }
+  if (!m.at("topology").is_null()) {
+    const Json& rates = m.at("cycles").at("topology");
+    tiles.push_back(
+        tile("cycles a node",
+             number(rates.at("cycles_per_node"), 3) + " + " + number(rates.at("cycles_per_node_visited"), 3),
+             "linked + visited"));
+  }
   if (m.at("slb").is_null()) return;
   const Json& rates = m.at("cycles").at("slb");
   tiles.push_back(
@@ -64,6 +71,9 @@ std::string memory_note(const Json& m) {
   if (!m.at("plane").is_null())
     note = fmt::format("{} entries × {} bit", count(memory.at("plane_entries")),
                        memory.at("plane_entry_bits").dump());
+  if (!m.at("topology").is_null())
+    note = fmt::format("{} nodes, {} quads, and heads", count(m.at("topology").at("nodes")),
+                       count(m.at("topology").at("quads")));
   if (m.at("slb").is_null()) return note;
   if (!note.empty()) note += " + ";
   return note + fmt::format("{} pixels × {} bit, and scratch", count(m.at("slb").at("pixels")),
@@ -74,10 +84,13 @@ Json key_figures(const Json& m) {
   const Json& fixed_errors = m.at("errors").at("fixed");
   const Json& time = m.at("run_time");
   Json tiles = Json::array();
-  tiles.push_back(tile("voxels", count(m.at("voxels").at("count")),
-                       m.at("plane").is_null() ? std::string("the scene, sampled")
-                                               : fmt::format("{} of them uncertain",
-                                                             share(m.at("voxels").at("uncertain_share")))));
+  tiles.push_back(
+      tile("voxels", count(m.at("voxels").at("count")),
+           !m.at("topology").is_null()
+               ? fmt::format("{} of them uncertain", share(m.at("topology").at("uncertain_share")))
+           : m.at("plane").is_null()
+               ? std::string("the scene, sampled")
+               : fmt::format("{} of them uncertain", share(m.at("voxels").at("uncertain_share")))));
   tiles.push_back(tile("mislabelled, unambiguous", share(fixed_errors.at("unambiguous").at("share")),
                        share(fixed_errors.at("all").at("share")) + " of all voxels"));
   tiles.push_back(tile("boundary displacement", number(fixed_errors.at("boundary_displacement"), 3),

@@ -51,6 +51,10 @@ std::string configuration_line(const Json& m) {
     line += " · plane " + plane(m.at("plane"));
     list({"VOXEL_FRAC_BITS", "NORMAL_BITS", "MATRIX_FRAC_BITS"});
   }
+  if (!m.at("topology").is_null()) {
+    line += " · plane " + plane(m.at("topology"));
+    list({"VOXEL_FRAC_BITS", "NORMAL_BITS", "MATRIX_FRAC_BITS", "SUB_BITS", "NODES_LOG2"});
+  }
   if (!m.at("slb").is_null()) {
     line += " · silhouette-line buffer " + plane(m.at("slb"));
     list({"FRAC_BITS", "SLOPE_BITS", "FRAGS_PER_PIXEL"});

@@ -139,6 +139,16 @@ struct PlaneRecord {
   double pitch = 1;  ///< voxels per entry
 };
 
+/// How topology mode's lists were used.
+struct TopologyRecord {
+  std::uint32_t side = 0;                        ///< entries
+  double pitch = 1;                              ///< voxels per entry
+  std::uint64_t lists = 0;                       ///< entries with a list
+  std::uint32_t longest = 0;                     ///< nodes
+  std::uint64_t head_bits = 0;                   ///< of each entry
+  std::uint64_t node_bits = 0, record_bits = 0;  ///< of the whole pools
+};
+
 /// How the silhouette-line buffer's plane was used.
 struct SlbRecord {
   std::uint32_t side = 0;                      ///< pixels
@@ -182,6 +192,7 @@ struct RunRecord {
   std::vector<RegisterRecord> registers;
   std::uint64_t command_words = 0;
   std::optional<PlaneRecord> plane;  ///< of the projection unit, if the technique uses it
+  std::optional<TopologyRecord> topology;
   std::optional<SlbRecord> slb;
 
   CompareRecord compare;

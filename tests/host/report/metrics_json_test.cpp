@@ -71,6 +71,15 @@ TEST(Metrics, TheSilhouetteLineBufferHasItsOwnFigures) {
   EXPECT_TRUE(metrics_json(sample_record())["slb"].is_null());
 }
 
+TEST(Metrics, TopologyModeHasItsOwnFigures) {
+  const ordered_json m = metrics_json(topology_record());
+  EXPECT_TRUE(m["plane"].is_null());
+  EXPECT_DOUBLE_EQ(m["topology"]["mean_list"], 9.0);
+  EXPECT_DOUBLE_EQ(m["topology"]["quads_tested_per_uncertain"], 5.0);
+  EXPECT_DOUBLE_EQ(m["cycles"]["topology"]["cycles_per_node"], 1.5);
+  EXPECT_EQ(m["memory"]["hardware_bits"], 512 * 512 * 49 + 1000 + 2000);
+}
+
 TEST(Metrics, GoldenAloneHasNoCyclesAndNoVerdict) {
   const ordered_json m = metrics_json(golden_record());
   EXPECT_TRUE(m["cycles"].is_null());
@@ -122,6 +131,7 @@ TEST(Metrics, EveryKeyIsDocumented) {
   std::set<std::string> keys;
   collect(metrics_json(failing_record()), keys);
   collect(metrics_json(slb_record()), keys);
+  collect(metrics_json(topology_record()), keys);
   ASSERT_GT(keys.size(), 100u);
   for (const std::string& key : keys) {
     const bool documented =

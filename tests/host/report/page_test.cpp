@@ -75,6 +75,13 @@ TEST(Page, TheSilhouetteLineBufferIsShownBesideShadowMaps) {
   EXPECT_THAT(page_of(sample_record()), Not(HasSubstr("Silhouette-line buffer")));
 }
 
+TEST(Page, TopologyModeShowsItsLists) {
+  const std::string html = page_of(topology_record());
+  EXPECT_THAT(html, HasSubstr("Lists of quads"));
+  EXPECT_THAT(html, HasSubstr("9.00, 118"));
+  EXPECT_THAT(html, HasSubstr("SUB_BITS 4"));
+}
+
 TEST(Page, EverythingGivenIsEscaped) {
   RunRecord record = failing_record();
   const std::string evil = "<script>alert('x')</script>&\"";

@@ -102,6 +102,19 @@ RunRecord slb_record() {
   return r;
 }
 
+RunRecord topology_record() {
+  RunRecord r = sample_record();
+  r.technique = "voxel-topology";
+  r.plane.reset();
+  r.hardware.en_vpu_topology = true;
+  r.hardware.en_vpu_offset = false;
+  r.topology = TopologyRecord{512, 1.0, 40000, 118, 49, 1000, 2000};
+  r.events = {{"QUADS_PUT", 90000},          {"NODES_LINKED", 360000},  {"TOPOLOGY_RESOLVED", 217000},
+              {"TOPOLOGY_UNCERTAIN", 50000}, {"NODES_VISITED", 260000}, {"QUADS_TESTED", 250000}};
+  r.cycles = {{"PROJECT", {{"BUSY", 540000}}}, {"RESOLVE", {{"BUSY", 260000}}}};
+  return r;
+}
+
 RunRecord golden_record() {
   RunRecord r = sample_record();
   r.engine = "golden";

@@ -11,6 +11,8 @@ RunRecord sample_record();
 RunRecord golden_record();
 /// The same scene on the silhouette-line buffer.
 RunRecord slb_record();
+/// The same scene in topology mode.
+RunRecord topology_record();
 /// The same run with a word that differs.
 RunRecord failing_record();
 
