@@ -3,6 +3,7 @@
 // constant is used at one place; without a macro all are 0 and vanish.
 
 /* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
+/* verilator lint_off UNUSEDSIGNAL */
 package mutations_pkg;
 
 `ifdef GNOMON_MUTATE_TIES_REPLACE
@@ -45,15 +46,29 @@ package mutations_pkg;
 `else
   localparam bit SKID_OVERRUN = 1'b0;
 `endif
-`ifdef GNOMON_MUTATE_SLB_NO_ADJUST
-  localparam bit SLB_NO_ADJUST = 1'b1;  // an edge through a pixel corner crosses y first also where it rises to the right
+`ifdef GNOMON_MUTATE_SLB_AT_RUN
+  // The front end of the silhouette-line buffer.
+  bit SLB_NO_ADJUST       = $test$plusargs("SLB_NO_ADJUST") != 0;        // rising through a corner, an edge crosses y first
+  bit SLB_DRIFT           = $test$plusargs("SLB_DRIFT") != 0;            // the walker drops the remainder of its step
+  bit SLB_DEPTH_DRIFT     = $test$plusargs("SLB_DEPTH_DRIFT") != 0;      // the depth of an edge drops its carry
+  bit SLB_FORGET_KEPT     = $test$plusargs("SLB_FORGET_KEPT") != 0;      // the vertex of an edge inside one pixel is lost
+  bit SLB_FORGET_ASIDE    = $test$plusargs("SLB_FORGET_ASIDE") != 0;     // a loop's last chain has its own depth alone
+  bit SLB_EXACT_ALWAYS    = $test$plusargs("SLB_EXACT_ALWAYS") != 0;     // inexact crossings are taken as exact
+  bit SLB_LAST_OF_EQUAL   = $test$plusargs("SLB_LAST_OF_EQUAL") != 0;    // of equally good lines the last one is stored
+  bit SLB_NO_SPIKES       = $test$plusargs("SLB_NO_SPIKES") != 0;        // a spike has one line
+  bit SLB_CORNER_BY_SIDES = $test$plusargs("SLB_CORNER_BY_SIDES") != 0;  // in and out by one side never holds the corner
+  bit SLB_COUNT_CLOSE     = $test$plusargs("SLB_COUNT_CLOSE") != 0;      // a loop that ends where it began has no repeat
 `else
-  localparam bit SLB_NO_ADJUST = 1'b0;
-`endif
-`ifdef GNOMON_MUTATE_SLB_LAST_OF_EQUAL
-  localparam bit SLB_LAST_OF_EQUAL = 1'b1;  // of equally good lines the last one is stored
-`else
-  localparam bit SLB_LAST_OF_EQUAL = 1'b0;
+  localparam bit SLB_NO_ADJUST       = 1'b0;
+  localparam bit SLB_DRIFT           = 1'b0;
+  localparam bit SLB_DEPTH_DRIFT     = 1'b0;
+  localparam bit SLB_FORGET_KEPT     = 1'b0;
+  localparam bit SLB_FORGET_ASIDE    = 1'b0;
+  localparam bit SLB_EXACT_ALWAYS    = 1'b0;
+  localparam bit SLB_LAST_OF_EQUAL   = 1'b0;
+  localparam bit SLB_NO_SPIKES       = 1'b0;
+  localparam bit SLB_CORNER_BY_SIDES = 1'b0;
+  localparam bit SLB_COUNT_CLOSE     = 1'b0;
 `endif
 `ifdef GNOMON_MUTATE_SLB_EVICT_EARLIER
   localparam bit SLB_EVICT_EARLIER = 1'b1;  // of equally far groups the earlier is evicted
@@ -67,4 +82,5 @@ package mutations_pkg;
 `endif
 
 endpackage
+/* verilator lint_on UNUSEDSIGNAL */
 /* verilator lint_on UNUSEDPARAM */

@@ -131,7 +131,7 @@ module slb_chain_builder #(
       closing_exit_q   <= aside_exit_q;
       closing_first_q  <= now_vertex ? first : aside_first_q;
       closing_last_q   <= aside_last_q;
-      closing_depth_q  <= (now_depth > aside_depth_q) ? now_depth : aside_depth_q;
+      closing_depth_q  <= (now_depth > aside_depth_q || mutations_pkg::SLB_FORGET_ASIDE) ? now_depth : aside_depth_q;
       closing_column_q <= now_column;
       closing_row_q    <= now_row;
     end

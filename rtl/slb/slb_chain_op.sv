@@ -102,7 +102,7 @@ module slb_chain_op #(
     else if (right_q)      op = OR;
     else if (turn_left_q)  op = AND;
     else if (turn_right_q) op = OR;
-    else if (same_way_q)   op = ONE;
+    else if (same_way_q || mutations_pkg::SLB_NO_SPIKES) op = ONE;
     else                   op = AND;  // a spike
   end
   always_ff @(posedge clk_i) begin
@@ -112,7 +112,7 @@ module slb_chain_op #(
       op_o     <= op;
       a_o      <= a;
       b_o      <= (op == ONE) ? '0 : b;
-      corner_o <= (exit_side == entry_side) ? op == OR : exit_side > entry_side;
+      corner_o <= (exit_side == entry_side) ? op == OR && !mutations_pkg::SLB_CORNER_BY_SIDES : exit_side > entry_side;
       depth_o  <= depth;
     end
   end

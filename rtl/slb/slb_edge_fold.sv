@@ -42,7 +42,7 @@ module slb_edge_fold #(
   assign ready_o   = keep || ready_i;
 
   assign first_o        = kept_q ? first_q : first_i;
-  assign chain_x_frac_o = kept_q ? x_frac_q : x0_i[S-1:0];
+  assign chain_x_frac_o = (kept_q && !mutations_pkg::SLB_FORGET_KEPT) ? x_frac_q : x0_i[S-1:0];
   assign chain_y_frac_o = kept_q ? y_frac_q : y0_i[S-1:0];
   assign chain_depth_o  = kept_q ? depth_q : '0;
 

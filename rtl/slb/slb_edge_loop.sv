@@ -88,7 +88,7 @@ module slb_edge_loop #(
   assign {edge_x1_o, edge_y1_o, edge_depth1_o} = edge_to_q;
 
   assign event_vertex_o   = take && !in_close_i;
-  assign event_repeated_o = take && repeated && (!in_close_i || count_q == 2'd3);
+  assign event_repeated_o = take && repeated && (!in_close_i || (count_q == 2'd3 && !mutations_pkg::SLB_COUNT_CLOSE));
   assign event_loop_o     = take && in_close_i;
   assign event_short_o    = event_loop_o && count_q != 2'd3;
 

@@ -60,10 +60,9 @@ module slb_line_better #(
   end
 
   // A straight line is candidate 1 with slope 0 everywhere.
-  localparam bit LAST = mutations_pkg::SLB_LAST_OF_EQUAL;
   logic          second, third;
   logic [EB-1:0] score;  // of the better of the first two
-  assign second = ok[1] && !(ok[0] && (score0 < score1 || (score0 == score1 && !LAST)));
+  assign second = ok[1] && !(ok[0] && (score0 < score1 || (score0 == score1 && !mutations_pkg::SLB_LAST_OF_EQUAL)));
   assign score  = second ? score1 : score0;
   assign third  = ok[2] && !((ok[0] || ok[1]) && score <= score2);
 

@@ -40,8 +40,8 @@ module slb_line_encoder #(
     if (en_i[0]) begin
       c0_q       <= crossing(low_i[K+3:1]);
       c1_q       <= crossing(high_i[K+3:1]);
-      i0_q       <= low_i[0];
-      i1_q       <= high_i[0];
+      i0_q       <= low_i[0] && !mutations_pkg::SLB_EXACT_ALWAYS;
+      i1_q       <= high_i[0] && !mutations_pkg::SLB_EXACT_ALWAYS;
       negative_q <= negative_i;
       level_q    <= level_i;
       slope_q    <= slope_i;

@@ -33,7 +33,7 @@ module slb_walk_depth #(
   logic                carry;
   logic signed [D+1:0] change, ahead_n;
   assign a       = {1'b0, a_q} + {1'b0, r_q};
-  assign carry   = a >= {1'b0, den_q_i};
+  assign carry   = a >= {1'b0, den_q_i} && !mutations_pkg::SLB_DEPTH_DRIFT;
   assign change  = signed'({2'b00, q_q}) + signed'((D + 2)'(carry));
   assign ahead_n = rising_q ? ahead_q + change : ahead_q - change;
 

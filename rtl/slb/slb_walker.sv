@@ -116,7 +116,8 @@ module slb_walker #(
   logic              behind_inexact_n;
   slb_walk_sum #(.W(W), .K(K), .CELL_BITS(C + 1), .UNIT(UNIT)) u_ahead (
     .subtract_i(1'b0), .den_i(den_q), .a_cell_i(ahead_cell_q), .a_k_i(ahead_k_q), .a_r_i(ahead_r_q),
-    .b_cell_i(step_cell_q), .b_k_i(step_k_q), .b_r_i(step_r_q), .cell_o(sum_cell), .k_o(sum_k), .r_o(sum_r)
+    .b_cell_i(step_cell_q), .b_k_i(step_k_q), .b_r_i(mutations_pkg::SLB_DRIFT ? '0 : step_r_q), .cell_o(sum_cell),
+    .k_o(sum_k), .r_o(sum_r)
   );
   always_comb begin
     ahead_cell_n     = to_major ? sum_cell : ahead_cell_q;

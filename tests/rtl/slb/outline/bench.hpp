@@ -9,6 +9,7 @@
 #include <random>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "tests/rtl/slb/outline/outcome.hpp"
@@ -23,7 +24,12 @@ struct Stalls {
 template <class Model>
 class OutlineBench {
  public:
-  OutlineBench(const SlbConfig& config, std::uint32_t seed) : config_(config), random_(seed) {
+  /// `fault` is one of mutations_pkg.sv, in a build that has them.
+  OutlineBench(const SlbConfig& config, std::uint32_t seed, const std::string& fault = {})
+      : config_(config), random_(seed) {
+    const std::string argument = "+" + fault;
+    const char* arguments[] = {"bench", argument.c_str()};
+    context_.commandArgs(fault.empty() ? 1 : 2, arguments);
     context_.randReset(2);  // registers and memories start with random contents
     context_.randSeed(static_cast<int>(seed | 1u));
     model_ = std::make_unique<Model>(&context_);
