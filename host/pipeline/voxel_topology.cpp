@@ -15,22 +15,12 @@ namespace {
 
 using golden::VoxelState;
 
-/// The plan's hardware, without the offset test.
-golden::HardwareConfig hardware(const plan::TopologyPlan& plan) {
-  golden::HardwareConfig config = plan.vpu.config;
-  config.en_vpu_offset = false;
-  config.en_vpu_topology = true;
-  config.sub_bits = plan.config.sub_bits;
-  config.span_log2 = plan.config.span_log2;
-  config.nodes_log2 = plan.config.nodes_log2;
-  config.quads_log2 = plan.config.quads_log2;
-  return config;
-}
-
 class VoxelTopology final : public Technique {
  public:
   VoxelTopology(const TechniqueInput& input, plan::TopologyPlan plan)
-      : input_(input), plan_(std::move(plan)), config_(hardware(plan_)) {}
+      : input_(input), plan_(std::move(plan)), config_(plan_.vpu.config) {
+    config_.en_vpu_offset = false;
+  }
 
   const golden::HardwareConfig& config() const override { return config_; }
   bool answers_points() const override { return false; }
