@@ -108,11 +108,12 @@ Camera fit_camera(const Box3& models, const Box3& all, UpAxis up, double image_a
   const Vec3 right = camera.up.cross(towards_eye).normalized();
   const Vec3 above = towards_eye.cross(right);
 
-  // What must be in the picture: the models, and the ground but for its corners, its least interesting part.
+  // The models, and all of the ground: a cut corner looks like a mistake.
+  const double floor = std::min(all.min.dot(camera.up), all.max.dot(camera.up));
   std::vector<Vec3> points;
   for (const Vec3& corner : corners(models)) points.push_back(corner);
   for (const Vec3& corner : corners(all))
-    points.push_back(models.center() + (corner - models.center()) * 0.8);
+    points.push_back(corner - camera.up * (corner.dot(camera.up) - floor));
   Box3 seen;  // along right, above, and towards the eye
   for (const Vec3& p : points) seen.extendBy(Vec3(p.dot(right), p.dot(above), p.dot(towards_eye)));
   const Vec3 middle = seen.center();
