@@ -34,38 +34,62 @@ FragmentStore::FragmentStore(const SlbConfig& config) : config_(config) {
 }
 
 void FragmentStore::reset() {
-  const auto side = static_cast<std::size_t>(config_.side());
-  entries_.assign(side * side, Entry{});
+  rows_.clear();
+  rows_.resize(static_cast<std::size_t>(config_.side()));
   generation_ = 1;
 }
 
 void FragmentStore::clear() {
   generation_ = generation_ == 255 ? 1 : static_cast<std::uint8_t>(generation_ + 1);
-  const std::size_t share = (entries_.size() + 254) / 255;
-  const std::size_t from = std::min((generation_ - std::size_t{1}) * share, entries_.size());
-  const std::size_t to = std::min(from + share, entries_.size());
-  for (std::size_t i = from; i < to; ++i) entries_[i].generation = 0;
+  const std::size_t side = rows_.size(), entries = side * side;
+  const std::size_t share = (entries + 254) / 255;
+  const std::size_t from = std::min((generation_ - std::size_t{1}) * share, entries);
+  const std::size_t to = std::min(from + share, entries);
+  for (std::size_t i = from; i < to; ++i) {
+    Row& row = rows_[i / side];
+    if (!row.heads.empty()) row.heads[i % side].generation = 0;
+  }
 }
 
-std::size_t FragmentStore::index(int column, int row) const {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(config_.side()) +
-         static_cast<std::size_t>(column);
+Entry FragmentStore::load(int column, int row) const {
+  const Row& stored = rows_[static_cast<std::size_t>(row)];
+  const auto at = static_cast<std::size_t>(column);
+  Entry entry;
+  if (stored.heads.empty() || stored.heads[at].generation != generation_) {
+    entry.full_depth = config_.no_depth();
+    return entry;
+  }
+  const Head& head = stored.heads[at];
+  entry.generation = head.generation;
+  entry.count = head.count;
+  entry.overflow = head.overflow;
+  entry.open = head.open;
+  entry.corner = head.corner;
+  entry.full_depth = head.full_depth;
+  const auto first = stored.fragments.begin() + std::ptrdiff_t{column} * config_.frags;
+  std::copy_n(first, head.count, entry.fragments.begin());
+  return entry;
 }
 
-Entry FragmentStore::load(std::size_t index) const {
-  if (entries_[index].generation == generation_) return entries_[index];
-  Entry empty;
-  empty.full_depth = config_.no_depth();
-  return empty;
+FragmentStore::Row& FragmentStore::allocated(int row) {
+  Row& stored = rows_[static_cast<std::size_t>(row)];
+  if (stored.heads.empty()) {
+    stored.heads.resize(rows_.size());
+    stored.fragments.resize(rows_.size() * static_cast<std::size_t>(config_.frags));
+  }
+  return stored;
 }
 
-void FragmentStore::save(std::size_t index, Entry entry) {
-  entry.generation = generation_;
-  entries_[index] = entry;
+void FragmentStore::save(int column, int row, const Entry& entry) {
+  Row& stored = allocated(row);
+  stored.heads[static_cast<std::size_t>(column)] = {generation_, entry.count,  entry.overflow,
+                                                    entry.open,  entry.corner, entry.full_depth};
+  const auto first = stored.fragments.begin() + std::ptrdiff_t{column} * config_.frags;
+  std::copy_n(entry.fragments.begin(), entry.count, first);
 }
 
 Entry FragmentStore::read(int column, int row) const {
-  Entry entry = load(index(column, row));
+  Entry entry = load(column, row);
   entry.generation = 0;
   return entry;
 }
@@ -99,8 +123,8 @@ bool FragmentStore::make_room(Entry& entry, std::uint32_t depth, bool& evicted) 
 }
 
 FragmentStore::Insertion FragmentStore::insert(const Chain& chain, std::uint8_t object, bool first) {
-  const std::size_t i = index(static_cast<int>(chain.column), static_cast<int>(chain.row));
-  Entry entry = load(i);
+  const auto column = static_cast<int>(chain.column), row = static_cast<int>(chain.row);
+  Entry entry = load(column, row);
   Insertion result;
   if (first) entry.corner = 0;
   Line single = chain.a;
@@ -127,13 +151,12 @@ FragmentStore::Insertion FragmentStore::insert(const Chain& chain, std::uint8_t 
   // A chain that is not kept counts by its answer at the pixel's centre.
   if (result.dropped && chain_contains(chain.op, chain.a, chain.b, kCentre, config_)) --change;
   entry.corner = static_cast<std::int8_t>(std::clamp(entry.corner + change, kCornerMin, kCornerMax));
-  save(i, entry);
+  save(column, row, entry);
   return result;
 }
 
 FragmentStore::Finish FragmentStore::finish(int column, int row, int winding, bool keep_lines) {
-  const std::size_t i = index(column, row);
-  Entry entry = load(i);
+  Entry entry = load(column, row);
   const int group = entry.open ? entry.last_group() : entry.count;
   const int chains = entry.chains(group, entry.count);
   const int threshold = 1 - winding + entry.corner;
@@ -148,13 +171,13 @@ FragmentStore::Finish FragmentStore::finish(int column, int row, int winding, bo
   }
   entry.open = false;
   entry.corner = 0;
-  save(i, entry);
+  save(column, row, entry);
   return result;
 }
 
 bool FragmentStore::is_full(int column, int row, std::uint32_t front, std::uint32_t depth,
                             std::uint32_t margin) const {
-  const Entry entry = load(index(column, row));
+  const Entry entry = load(column, row);
   if (entry.full_depth == config_.no_depth()) return true;
   for (int i = entry.last_group(); i < entry.count; ++i) {
     const std::uint64_t rim = entry.fragments[static_cast<std::size_t>(i)].depth;
@@ -164,11 +187,9 @@ bool FragmentStore::is_full(int column, int row, std::uint32_t front, std::uint3
 }
 
 void FragmentStore::lower_full_depth(int column, int row, std::uint32_t depth) {
-  const std::size_t i = index(column, row);
-  Entry entry = load(i);
-  if (depth >= entry.full_depth) return;
-  entry.full_depth = depth;
-  save(i, entry);
+  Head& head = allocated(row).heads[static_cast<std::size_t>(column)];
+  if (head.generation != generation_) head = {.generation = generation_, .full_depth = config_.no_depth()};
+  head.full_depth = std::min(head.full_depth, depth);
 }
 
 }  // namespace gnomon::golden::slb

@@ -87,19 +87,23 @@ void SlbModel::enter_loop() {
 void SlbModel::vertex(const Vertex& vertex) {
   enter_loop();
   ++counters_.vertices;
+  const std::uint64_t repeated = builder_.repeated(), crossings = builder_.crossings();
   builder_.vertex(flat_ ? Vertex{vertex.x, vertex.y, depth_} : vertex);
+  counters_.vertices_repeated += builder_.repeated() - repeated;
+  counters_.crossings += builder_.crossings() - crossings;
 }
 
 void SlbModel::close_loop() {
   enter_loop();
   state_ = State::Object;
+  const std::uint64_t repeated = builder_.repeated(), crossings = builder_.crossings();
   const LoopSummary summary = builder_.close();
   ++counters_.loops;
   counters_.loops_short += summary.too_short ? 1 : 0;
   counters_.loops_tiny += summary.tiny ? 1 : 0;
   counters_.tiny_area2 += summary.tiny_area2;
-  counters_.vertices_repeated += summary.repeated;
-  counters_.crossings += summary.crossings;
+  counters_.vertices_repeated += summary.repeated - repeated;
+  counters_.crossings += summary.crossings - crossings;
 }
 
 void SlbModel::loop(std::span<const Vertex> vertices) {
@@ -132,14 +136,15 @@ void SlbModel::fill() {
   require(state_ == State::Object, "a fill outside an object or after its fill");
   state_ = State::Filled;
   for (int row = winding_.first_row(); row <= winding_.last_row(); ++row) {
-    const Winding::Row swept = winding_.take_row(row);
+    const std::span<const Winding::Pixel> swept = winding_.take_row(row);
     for (int column = 0; column < config_.side(); ++column) {
       const auto i = static_cast<std::size_t>(column);
       ++counters_.fill_pixels;
-      Winding::Result result{swept.winding[i] >= 1, false};
-      if (swept.lines[i]) {
+      const Winding::Pixel& pixel = swept[i];
+      Winding::Result result{pixel.winding >= 1, false};
+      if (pixel.lines) {
         ++counters_.fill_groups;
-        const FragmentStore::Finish done = store_.finish(column, row, swept.winding[i], !flat_);
+        const FragmentStore::Finish done = store_.finish(column, row, pixel.winding, !flat_);
         result = {done.covered, done.rim};
       }
       winding_.set_result(column, row, result);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gnomon/golden/slb/formats.hpp>
 #include <gnomon/golden/slb/winding.hpp>
+#include <utility>
 
 namespace gnomon::golden::slb {
 
@@ -12,10 +13,10 @@ Winding::Winding(const SlbConfig& config) : side_(config.side()), first_(side_),
 
 void Winding::reset() {
   const auto rows = static_cast<std::size_t>(side_);
-  change_.assign(rows * rows, 0);
-  lines_.assign(rows * rows, false);
-  results_.assign(rows * rows, Result{});
+  rows_.clear();
+  rows_.resize(rows);
   carry_.assign(rows, 0);
+  taken_.resize(rows);
   begin();
 }
 
@@ -24,21 +25,19 @@ void Winding::begin() {
   last_ = -1;
 }
 
-std::size_t Winding::index(int column, int row) const {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
-}
-
-void Winding::touch(int row) {
+std::vector<Winding::Cell>& Winding::touch(int row) {
   first_ = std::min(first_, row);
   last_ = std::max(last_, row);
+  std::vector<Cell>& cells = rows_[static_cast<std::size_t>(row)];
+  if (cells.empty()) cells.resize(rows_.size());
+  return cells;
 }
 
 bool Winding::crossing(std::int64_t column, std::int64_t row, bool upwards) {
   if (row < 0 || row >= side_ || column >= side_) return true;
-  const int y = static_cast<int>(row);
-  touch(y);
-  std::int16_t& sum =
-      column < 0 ? carry_[static_cast<std::size_t>(y)] : change_[index(static_cast<int>(column), y)];
+  const auto y = static_cast<std::size_t>(row);
+  std::vector<Cell>& cells = touch(static_cast<int>(row));
+  std::int16_t& sum = column < 0 ? carry_[y] : cells[static_cast<std::size_t>(column)].change;
   const int next = sum + (upwards ? -1 : 1);
   if (next < kWindingMin || next > kWindingMax) return false;
   sum = static_cast<std::int16_t>(next);
@@ -46,35 +45,31 @@ bool Winding::crossing(std::int64_t column, std::int64_t row, bool upwards) {
 }
 
 bool Winding::mark_lines(int column, int row) {
-  touch(row);
-  const std::size_t i = index(column, row);
-  const bool before = lines_[i];
-  lines_[i] = true;
-  return before;
+  bool& lines = touch(row)[static_cast<std::size_t>(column)].lines;
+  return std::exchange(lines, true);
 }
 
-Winding::Row Winding::take_row(int row) {
-  Row result;
-  int sum = carry_[static_cast<std::size_t>(row)];
-  carry_[static_cast<std::size_t>(row)] = 0;
-  for (int column = 0; column < side_; ++column) {
-    const std::size_t i = index(column, row);
-    result.winding.push_back(sum);
-    result.lines.push_back(lines_[i]);
-    sum += change_[i];
-    change_[i] = 0;
-    lines_[i] = false;
+std::span<const Winding::Pixel> Winding::take_row(int row) {
+  int sum = std::exchange(carry_[static_cast<std::size_t>(row)], std::int16_t{0});
+  std::vector<Cell>& cells = touch(row);
+  for (std::size_t column = 0; column < cells.size(); ++column) {
+    Cell& cell = cells[column];
+    taken_[column] = {sum, cell.lines};
+    sum += cell.change;
+    cell.change = 0;
+    cell.lines = false;
   }
-  return result;
+  return taken_;
 }
 
 void Winding::set_result(int column, int row, Result result) {
-  results_[index(column, row)] = result;
+  rows_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)].result = result;
 }
 
 Winding::Result Winding::result(int column, int row) const {
   // Rows that this object did not touch hold an earlier one's results.
-  return row >= first_ && row <= last_ ? results_[index(column, row)] : Result{};
+  if (row < first_ || row > last_) return {};
+  return rows_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)].result;
 }
 
 }  // namespace gnomon::golden::slb

@@ -40,6 +40,9 @@ class ChainBuilder {
   void vertex(const Vertex& vertex);
   /// Closes the loop and forgets it.
   LoopSummary close();
+  /// Of the loop so far.
+  std::uint64_t crossings() const { return crossings_; }
+  std::uint64_t repeated() const { return repeated_; }
   /// Forgets a loop that was not closed.
   void forget();
 

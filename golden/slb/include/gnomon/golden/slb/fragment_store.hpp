@@ -43,14 +43,28 @@ class FragmentStore {
   void lower_full_depth(int column, int row, std::uint32_t depth);
 
  private:
-  std::size_t index(int column, int row) const;
-  Entry load(std::size_t index) const;
-  void save(std::size_t index, Entry entry);
+  /// An entry without its fragments.
+  struct Head {
+    std::uint8_t generation = 0;
+    std::uint8_t count = 0;
+    bool overflow = false, open = false;
+    std::int8_t corner = 0;
+    std::uint32_t full_depth = 0;
+  };
+  /// A row of the plane; nothing in it where nothing was ever written.
+  struct Row {
+    std::vector<Head> heads;
+    std::vector<Fragment> fragments;  ///< K an entry
+  };
+
+  Row& allocated(int row);
+  Entry load(int column, int row) const;
+  void save(int column, int row, const Entry& entry);
   bool make_room(Entry& entry, std::uint32_t depth, bool& evicted) const;
 
   SlbConfig config_;
   std::uint8_t generation_ = 1;
-  std::vector<Entry> entries_;
+  std::vector<Row> rows_;
 };
 
 }  // namespace gnomon::golden::slb

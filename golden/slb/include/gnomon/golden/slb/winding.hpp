@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <gnomon/golden/slb/config.hpp>
+#include <span>
 #include <vector>
 
 namespace gnomon::golden::slb {
@@ -25,12 +26,12 @@ class Winding {
   /// Touched rows first..last; empty if first > last.
   int first_row() const { return first_; }
   int last_row() const { return last_; }
-  /// W at the lower left corner of each pixel of a row, and its has_lines bits; clears both.
-  struct Row {
-    std::vector<int> winding;
-    std::vector<bool> lines;
+  struct Pixel {
+    int winding = 0;     ///< W at its lower left corner
+    bool lines = false;  ///< has_lines
   };
-  Row take_row(int row);
+  /// The pixels of a row; clears what they are made from. Valid until the next call.
+  std::span<const Pixel> take_row(int row);
 
   /// What FILL found out about a pixel, for COVER.
   struct Result {
@@ -41,14 +42,19 @@ class Winding {
   Result result(int column, int row) const;
 
  private:
-  std::size_t index(int column, int row) const;
-  void touch(int row);
+  struct Cell {
+    std::int16_t change = 0;  ///< dw, kept to kWindingMin..kWindingMax
+    bool lines = false;
+    Result result;
+  };
+
+  std::vector<Cell>& touch(int row);
 
   int side_;
   int first_, last_;
-  std::vector<std::int16_t> change_, carry_;  ///< kept to kWindingMin..kWindingMax
-  std::vector<bool> lines_;
-  std::vector<Result> results_;
+  std::vector<std::vector<Cell>> rows_;  ///< empty where nothing was ever drawn
+  std::vector<std::int16_t> carry_;      ///< as dw
+  std::vector<Pixel> taken_;
 };
 
 }  // namespace gnomon::golden::slb
