@@ -94,7 +94,7 @@ void QuadLists::put(const std::array<Corner, 4>& corners) {
   const std::int64_t span = std::int64_t{1} << config_.span_log2;
   const bool small = box.u.high - box.u.low < span && box.v.high - box.v.low < span;
   if (!small) ++counters_.quads_too_large;
-  const bool storable = small && number < (std::uint32_t{1} << config_.quads_log2);
+  const bool storable = small && number < std::min(std::uint32_t{1} << config_.quads_log2, kNoQuad);
   if (storable) {
     records_.resize(number + std::size_t{1});
     for (std::size_t i = 0; i < 4; ++i) records_[number][i] = {corners[i].u, corners[i].v};
