@@ -8,26 +8,47 @@
 
 namespace gnomon::voxel {
 
-// Triangles that leave the surface by more than this (in voxels) would touch voxels that the surface does
-// not.
+namespace {
+
+// Triangles that leave the surface by more than this would touch voxels that the surface does not. In voxels,
+// as all lengths here.
 constexpr double kFlat = 0.005;
 
-// Whether all leaves' middles are close to the planes through their corners.
-bool BlockWorker::flat() const {
-  const auto position = [&](int i, int j) {
-    const GridPoint p = lattice_.point(i, j);
-    return Vec3(p[0], p[1], p[2]) * 0x1p-16;
-  };
-  return std::ranges::all_of(leaves_, [&](const Box& b) {
-    const Vec3 across = position(b.i1, b.j1) - position(b.i0, b.j0);
-    const Vec3 other = position(b.i0, b.j1) - position(b.i1, b.j0);
-    const Vec3 normal = across.cross(other).normalized();
-    const double u = (parameter(lattice_.u_at(b.i0)) + parameter(lattice_.u_at(b.i1))) / 2;
-    const double v = (parameter(lattice_.v_at(b.j0)) + parameter(lattice_.v_at(b.j1))) / 2;
-    const Vec3 middle = lattice_.surface().position(block_.face, u, v);
-    const Vec3 chord = (position(b.i1, b.j1) + position(b.i0, b.j0)) / 2;
-    return std::abs((middle - chord).dot(normal)) <= kFlat;
-  });
+// Leaves no larger than this are good enough, however they are bent.
+constexpr double kSmall = 0.25;
+
+Vec3 position(const GridPoint& p) {
+  return Vec3(p[0], p[1], p[2]) * 0x1p-16;
+}
+
+}  // namespace
+
+// Which directions of a leaf must be split because its middle is too far from the plane through its corners.
+Split BlockWorker::straighten(const Box& b) {
+  const double u = static_cast<double>(b.i1 - b.i0) / lattice_.width();
+  const double v = static_cast<double>(b.j1 - b.j0) / lattice_.height();
+  if (bend_ && bend_->sag(u, v) <= kFlat) return {};
+  const Vec3 p00 = position(lattice_.point(b.i0, b.j0));
+  const Vec3 p11 = position(lattice_.point(b.i1, b.j1));
+  const Vec3 across = p11 - p00;
+  const Vec3 other = position(lattice_.point(b.i0, b.j1)) - position(lattice_.point(b.i1, b.j0));
+  const bool small = std::max(across.length2(), other.length2()) <= kSmall * kSmall;
+  if (small && bend_ && bend_->sag(u, v) <= kSmall) return {};
+  if (log_u(b) == rules_.smallest_log || log_v(b) == rules_.smallest_log) return {};
+  if (b.i1 - b.i0 == 1 || b.j1 - b.j0 == 1) {  // the middle is not on the lattice: decided on a finer one
+    postpone(b, {true, true});
+    return {};
+  }
+  const int i = (b.i0 + b.i1) / 2;
+  const int j = (b.j0 + b.j1) / 2;
+  lattice_.at<true>(i, j);
+  const Vec3 off = position(lattice_.point(i, j)) - (p00 + p11) / 2;
+  if (small && off.length() <= kSmall) return {};
+  const Vec3 normal = across.cross(other).normalized();  // zero if the corners are on a line
+  if ((normal.length2() == 0 ? off.length() : std::abs(off.dot(normal))) <= kFlat) return {};
+  if (bend_ && bend_->sag(u / 2, v) <= kFlat) return {true, false};
+  if (bend_ && bend_->sag(u, v / 2) <= kFlat) return {false, true};
+  return {true, true};
 }
 
 // A touched voxel takes the nearest thing to a representative: a corner of the leaf, moved into the voxel.

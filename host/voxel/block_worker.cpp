@@ -14,7 +14,6 @@ constexpr int kSmallLattice = 2;
 
 // N = 6 needs all points of a block together: there the whole lattice is made finer, up to this size.
 constexpr int kLargestGrowth = 20;
-constexpr int kMostExtraBits = 3;
 
 }  // namespace
 
@@ -25,13 +24,19 @@ void BlockWorker::run(const Block& block, BlockOutput& out) {
 
 void BlockWorker::run_cell(Block block, BlockOutput& out) {
   if (out.outside) return;
-  extra_bits_ = 0;
-  run_lattice(block);
+  block_ = block;
+  lattice_.start(block);
+  if (exact_) bend_ = lattice_.bend();
+  recurse_block();
   if (leaves_grid(out)) return;
-  while (grow(block)) {
-    if (block.cells_u + block.cells_v > kLargestGrowth) return run_children(block, out);
-    lattice_.for_each_visited([&](int, int) { ++out.statistics.evaluations; });
-    run_lattice(block);
+  while (grow_u_ || grow_v_) {
+    const int more_u = grow_u_ ? 1 : 0;
+    const int more_v = grow_v_ ? 1 : 0;
+    block_.cells_u += more_u;
+    block_.cells_v += more_v;
+    if (block_.cells_u + block_.cells_v > kLargestGrowth) return run_children(block_, out);
+    lattice_.refine(more_u, more_v);
+    recurse_block();
     if (leaves_grid(out)) return;
   }
   collect(out);
@@ -48,35 +53,23 @@ bool BlockWorker::leaves_grid(BlockOutput& out) const {
   if (!lattice_.leaves_grid()) return false;
   lattice_.for_each_visited([&](int i, int j) {
     GridGuard guard(rules_.res);
-    guard.add(lattice_.voxel(i, j));
+    guard.add(lattice_.key(i, j));
     if (!guard.crossed() || out.outside) return;
     out.outside = {block_.object, block_.face, parameter(lattice_.u_at(i)), parameter(lattice_.v_at(j))};
   });
   return true;
 }
 
-// N = 6: whether the block must be run again, on a finer lattice or until its leaves are flat.
-bool BlockWorker::grow(Block& block) {
-  if (!exact_) return false;
-  if (!grow_u_ && !grow_v_) {
-    if (extra_bits_ == kMostExtraBits || flat()) return false;
-    ++extra_bits_;
-    grow_u_ = block.cell.log_u - block.cells_u > rules_.smallest_log;
-    grow_v_ = block.cell.log_v - block.cells_v > rules_.smallest_log;
-  }
-  block.cells_u += grow_u_ ? 1 : 0;
-  block.cells_v += grow_v_ ? 1 : 0;
-  return true;
-}
-
-// One step of the recursion by hand.
-void BlockWorker::run_children(const Block& block, BlockOutput& out) {
+// N = 6: one step of the recursion by hand, where the block's lattice would be too large.
+void BlockWorker::run_children(Block block, BlockOutput& out) {
+  lattice_.for_each_visited([&](int, int) { ++out.statistics.evaluations; });
   const int w = lattice_.width();
   const int h = lattice_.height();
   const Corners corners{lattice_.key(0, 0), lattice_.key(w, 0), lattice_.key(w, h), lattice_.key(0, h)};
-  Split split = rules_.split(corners, block.cell.log_u >= block.cell.log_v);
-  split.u = split.u && block.cell.log_u > rules_.smallest_log;
-  split.v = split.v && block.cell.log_v > rules_.smallest_log;
+  const Split possible{block.cell.log_u > rules_.smallest_log, block.cell.log_v > rules_.smallest_log};
+  const Split wanted = rules_.split(corners, block.cell.log_u >= block.cell.log_v);
+  Split split{wanted.u && possible.u, wanted.v && possible.v};
+  if (split.none()) split = possible;  // it is bent, and larger than the smallest cell
   for (const Cell& c : block.cell.children(split)) {
     run_cell({block.object, block.face, c, std::clamp(block.cells_u - 1, 0, c.log_u - rules_.smallest_log),
               std::clamp(block.cells_v - 1, 0, c.log_v - rules_.smallest_log)},
@@ -84,9 +77,7 @@ void BlockWorker::run_children(const Block& block, BlockOutput& out) {
   }
 }
 
-void BlockWorker::run_lattice(const Block& block) {
-  block_ = block;
-  lattice_.start(block, extra_bits_);
+void BlockWorker::recurse_block() {
   leaves_.clear();
   coarse_.clear();
   grow_u_ = grow_v_ = false;
@@ -116,7 +107,10 @@ void BlockWorker::recurse_all() {
 // Most cells are leaves, so this part is inlined into the division that made them.
 template <Adjacency kAdjacency>
 [[gnu::always_inline]] inline void BlockWorker::visit(const Box& b, const Corners& c) {
-  const Split split = criterion<kAdjacency>(c, [&] { return log_u(b) >= log_v(b); });
+  Split split = criterion<kAdjacency>(c, [&] { return log_u(b) >= log_v(b); });
+  if constexpr (kAdjacency == Adjacency::N6) {
+    if (split.none()) split = straighten(b);
+  }
   if (split.none()) {
     keep_leaf(b);
   } else {
@@ -185,13 +179,13 @@ void BlockWorker::collect(BlockOutput& out) {
   if (members_ != nullptr) {
     lattice_.for_each_visited([&](int i, int j) {
       ++points;
-      members_->insert(lattice_.voxel(i, j));
+      members_->insert(lattice_.key(i, j));
     });
   } else {
     recent_.assign(std::clamp<std::size_t>(std::bit_ceil(block_.points() / 2), 16, 4096), ~VoxelKey{0});
     lattice_.for_each_visited([&](int i, int j) {
       ++points;
-      if (first_here(lattice_.voxel(i, j))) out.voxels.push_back(voxel_at_point(i, j));
+      if (first_here(lattice_.key(i, j))) out.voxels.push_back(voxel_at_point(i, j));
     });
   }
   out.statistics.evaluations += points - lattice_.remembered();
@@ -205,8 +199,7 @@ void BlockWorker::collect(BlockOutput& out) {
 }
 
 Voxel BlockWorker::voxel_at_point(int i, int j) {
-  return members_ == nullptr ? lattice_.representative(i, j, zero_normals_)
-                             : bare_voxel(lattice_.voxel(i, j));
+  return members_ == nullptr ? lattice_.representative(i, j, zero_normals_) : bare_voxel(lattice_.key(i, j));
 }
 
 void BlockWorker::record_leaf(const Box& b, BlockOutput& out) const {
@@ -218,8 +211,8 @@ void BlockWorker::record_leaf(const Box& b, BlockOutput& out) const {
                         v(b.j0),
                         u(b.i1),
                         v(b.j1),
-                        {lattice_.voxel(b.i0, b.j0), lattice_.voxel(b.i1, b.j0), lattice_.voxel(b.i1, b.j1),
-                         lattice_.voxel(b.i0, b.j1)}});
+                        {lattice_.key(b.i0, b.j0), lattice_.key(b.i1, b.j0), lattice_.key(b.i1, b.j1),
+                         lattice_.key(b.i0, b.j1)}});
 }
 
 }  // namespace gnomon::voxel

@@ -59,11 +59,9 @@ class BlockWorker {
   };
 
   void run_cell(Block block, BlockOutput& out);
-  void run_children(const Block& block, BlockOutput& out);
-  void run_lattice(const Block& block);
+  void run_children(Block block, BlockOutput& out);
+  void recurse_block();
   bool leaves_grid(BlockOutput& out) const;
-  bool grow(Block& block);
-  bool flat() const;
 
   template <Adjacency kAdjacency>
   void recurse_all();
@@ -72,6 +70,7 @@ class BlockWorker {
   template <Adjacency kAdjacency>
   void divide(const Box& box, const Corners& corners, Split split);
   void postpone(const Box& box, Split split);
+  Split straighten(const Box& box);
   void keep_leaf(const Box& box) {
     ++leaf_count_;
     if (leaves_wanted_ || exact_) leaves_.push_back(box);
@@ -103,7 +102,7 @@ class BlockWorker {
   // The block at hand.
   Block block_;
   bool grow_u_ = false, grow_v_ = false;
-  int extra_bits_ = 0;
+  std::optional<Bend> bend_;
   std::uint64_t leaf_count_ = 0, floor_hits_ = 0, zero_normals_ = 0;
   std::vector<Box> leaves_;
   std::vector<Cell> coarse_;  // cells to be run on their own

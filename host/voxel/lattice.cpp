@@ -14,7 +14,7 @@ Vec3 vec(const surface::Lane4& p) {
 
 }  // namespace
 
-void Lattice::start(const Block& block, int extra_bits) {
+void Lattice::start(const Block& block) {
   if (block.face != block_.face || block.object != block_.object) memo_.start();
   block_ = block;
   surface_ = &surfaces_[block.object];
@@ -24,8 +24,7 @@ void Lattice::start(const Block& block, int extra_bits) {
   log_u_ = block.cell.log_u - block.cells_u;
   log_v_ = block.cell.log_v - block.cells_v;
   remembered_ = 0;
-  extra_bits_ = extra_bits;
-  guard_ = GridGuard(res_ << extra_bits);
+  guard_ = GridGuard(res_);
 
   const auto rows = static_cast<std::size_t>(height_) + 1;
   const std::size_t columns = static_cast<std::size_t>(width_) + 1;
@@ -44,6 +43,24 @@ void Lattice::start(const Block& block, int extra_bits) {
   }
   map_to_piece();
   map_to_borders();
+}
+
+void Lattice::refine(int more_u, int more_v) {
+  kept_.clear();
+  for_each_visited([&](int i, int j) { kept_.push_back({i << more_u, j << more_v, point(i, j)}); });
+  Block finer = block_;
+  finer.cells_u += more_u;
+  finer.cells_v += more_v;
+  start(finer);
+  for (const Kept& k : kept_) {
+    line(k.j).visited[k.i >> 6] |= std::uint64_t{1} << (k.i & 63);
+    keep<true>(k.i, k.j, {k.point[0], k.point[1], k.point[2], 0});
+  }
+}
+
+std::optional<Bend> Lattice::bend() const {
+  if (own_.patch == nullptr) return std::nullopt;
+  return Bend::of(*own_.patch, own_.u(0), own_.u(width_), own_.v(0), own_.v(height_));
 }
 
 Lattice::Chart Lattice::chart(std::uint32_t u0, std::uint32_t v0, std::uint32_t u1, std::uint32_t v1) const {
@@ -181,7 +198,7 @@ Vec3 Lattice::unit_normal(int i, int j, std::uint64_t& nudged) {
 }
 
 Voxel Lattice::representative(int i, int j, std::uint64_t& nudged) {
-  const VoxelKey k = voxel(i, j);
+  const VoxelKey k = key(i, j);
   Voxel v{};
   v.x = static_cast<std::uint16_t>(key_x(k));
   v.y = static_cast<std::uint16_t>(key_y(k));

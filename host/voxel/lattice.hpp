@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/surface/patch_tree.hpp"
+#include "host/voxel/bend.hpp"
 #include "host/voxel/block.hpp"
 #include "host/voxel/border_cache.hpp"
 #include "host/voxel/point_memo.hpp"
@@ -28,8 +29,10 @@ class Lattice {
   /// Forgets the points on borders of earlier blocks.
   void forget() { memo_.start(); }
 
-  /// `extra_bits` makes the voxels of at() so many bits finer than the grid's; only with `keep_points`.
-  void start(const Block& block, int extra_bits = 0);
+  void start(const Block& block);
+  /// The same block, with `more_u` and `more_v` times halved steps; keeps all points. Only with
+  /// `keep_points`.
+  void refine(int more_u, int more_v);
 
   const Block& block() const { return block_; }
   const surface::LimitSurface& surface() const { return *surface_; }
@@ -51,10 +54,8 @@ class Lattice {
   bool visited(int i, int j) const { return (line(j).visited[i >> 6] >> (i & 63) & 1) != 0; }
   VoxelKey key(int i, int j) const { return line(j).keys[i]; }
   GridPoint point(int i, int j) const { return points_[index(i, j)]; }
-  /// The grid's own voxel.
-  VoxelKey voxel(int i, int j) const {
-    return keep_points_ ? voxel_of(point(i, j), kFractionBits) : key(i, j);
-  }
+  /// How far the block bends, if all of it is one polynomial.
+  std::optional<Bend> bend() const;
   /// In row-major order.
   template <class Visit>
   void for_each_visited(Visit visit) const;
@@ -73,9 +74,6 @@ class Lattice {
   };
   using Fixed = std::array<std::uint32_t, 4>;
 
-  static VoxelKey voxel_of(const GridPoint& p, int fraction_bits) {
-    return pack(p[0] >> fraction_bits, p[1] >> fraction_bits, p[2] >> fraction_bits);
-  }
   Line& line(int j) { return lines_[static_cast<std::size_t>(j)]; }
   const Line& line(int j) const { return lines_[static_cast<std::size_t>(j)]; }
   std::size_t index(int i, int j) const {
@@ -113,7 +111,6 @@ class Lattice {
   bool keep_points_;
 
   Block block_;
-  int extra_bits_ = 0;
   const surface::LimitSurface* surface_ = nullptr;
   const surface::PatchTree* pieces_ = nullptr;
   Chart own_;            // of the whole block; without it, points are asked for one by one
@@ -134,6 +131,11 @@ class Lattice {
   std::vector<VoxelKey> keys_;
   std::vector<std::uint64_t> visited_;
   std::vector<GridPoint> points_;
+  struct Kept {
+    int i, j;
+    GridPoint point;
+  };
+  std::vector<Kept> kept_;  // while the lattice is refined
 };
 
 namespace detail {
@@ -149,7 +151,7 @@ inline std::array<std::uint32_t, 4> snap_lanes(const surface::Lane4& p, double r
 template <bool kExact>
 inline VoxelKey Lattice::keep(int i, int j, const Fixed& p) {
   if constexpr (kExact) points_[index(i, j)] = {p[0], p[1], p[2]};
-  const VoxelKey key = voxel_of({p[0], p[1], p[2]}, kExact ? kFractionBits - extra_bits_ : kFractionBits);
+  const VoxelKey key = pack(p[0] >> kFractionBits, p[1] >> kFractionBits, p[2] >> kFractionBits);
   line(j).keys[i] = key;
   return key;
 }

@@ -164,6 +164,36 @@ TEST(Voxelizer, EvaluatesAboutOncePerVoxel) {
   }
 }
 
+// Most of the evaluations of N = 6 are spent where the surface bends within a voxel.
+TEST(Voxelizer, EvaluatesFewMorePointsForSixNeighbours) {
+  for (const auto& [mesh, limit] :
+       {std::pair{torus(6, 5), 3.5}, std::pair{spindle(3), 2.8}, std::pair{prism(5), 2.1}}) {
+    const VoxelSet set = voxels_of(mesh, 256, Adjacency::N6);
+    EXPECT_LT(static_cast<double>(set.statistics.evaluations) / static_cast<double>(set.voxels.size()), limit)
+        << mesh.name;
+    EXPECT_EQ(set.statistics.floor_hits, 0U);
+    for (const auto& v : set.voxels) {
+      for (const float t : v.point) ASSERT_TRUE(t >= 0 && t < 1);
+    }
+  }
+}
+
+// A face whose corners all meet while its middle is far away: the criterion is content with the corners.
+TEST(Voxelizer, SixNeighboursCoverAFoldedFace) {
+  scene::ControlMesh folded = sheet(3, 3);
+  ASSERT_EQ(folded.positions.size(), 16U);
+  for (std::size_t i = 0; i < 16; ++i) {
+    const double x = i % 4 % 3 == 0 ? 0 : 1;
+    const double y = i / 4 % 3 == 0 ? 0 : 1;
+    folded.positions[i] = Vec3(x, y, x + y - x * y);
+  }
+  const auto s = fitted({folded}, 120, 2);
+  const VoxelSet thin = run(s, 120, Adjacency::N26);
+  const VoxelSet cover = run(s, 120, Adjacency::N6);
+  EXPECT_GT(coverage(s, thin, 0.4).uncovered, 0U);
+  EXPECT_EQ(coverage(s, cover, 0.4).uncovered, 0U);
+}
+
 TEST(Voxelizer, SurplusOverAThinnedSetIsSmall) {
   for (const auto& mesh : {torus(6, 5), spindle(3), spindle(7)}) {
     EXPECT_LT(surplus(voxels_of(mesh, 128, Adjacency::N26)), 0.16) << mesh.name;
