@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded faults: tests build the hardware with one of the GNOMON_MUTATE_* macros defined and show that they notice. Each
-// constant is used at one place; without a macro all are 0 and vanish.
+// constant is used at one place; without a macro all are 0 and vanish. GNOMON_MUTATE_SLB_AT_RUN builds in several at once, to
+// be chosen when the simulation starts.
 
 /* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
 /* verilator lint_off UNUSEDSIGNAL */
@@ -11,7 +12,9 @@ package mutations_pkg;
 `else
   localparam bit TIES_REPLACE = 1'b0;
 `endif
-`ifdef GNOMON_MUTATE_NO_FORWARDING
+`ifdef GNOMON_MUTATE_SLB_AT_RUN
+  bit NO_FORWARDING = $test$plusargs("NO_FORWARDING") != 0;
+`elsif GNOMON_MUTATE_NO_FORWARDING
   localparam bit NO_FORWARDING = 1'b1;  // an update does not see the writes that are still on their way
 `else
   localparam bit NO_FORWARDING = 1'b0;
@@ -31,12 +34,16 @@ package mutations_pkg;
 `else
   localparam bit LOSE_STICKY = 1'b0;
 `endif
-`ifdef GNOMON_MUTATE_KEEP_GENERATION
+`ifdef GNOMON_MUTATE_SLB_AT_RUN
+  bit KEEP_GENERATION = $test$plusargs("KEEP_GENERATION") != 0;
+`elsif GNOMON_MUTATE_KEEP_GENERATION
   localparam bit KEEP_GENERATION = 1'b1;  // CLEAR_PLANE does not advance the generation
 `else
   localparam bit KEEP_GENERATION = 1'b0;
 `endif
-`ifdef GNOMON_MUTATE_SKIP_BARRIER
+`ifdef GNOMON_MUTATE_SLB_AT_RUN
+  bit SKIP_BARRIER = $test$plusargs("SKIP_BARRIER") != 0;
+`elsif GNOMON_MUTATE_SKIP_BARRIER
   localparam bit SKIP_BARRIER = 1'b1;  // a change of kind does not wait for the drain
 `else
   localparam bit SKIP_BARRIER = 1'b0;
@@ -70,14 +77,28 @@ package mutations_pkg;
   localparam bit SLB_CORNER_BY_SIDES = 1'b0;
   localparam bit SLB_COUNT_CLOSE     = 1'b0;
 `endif
-`ifdef GNOMON_MUTATE_SLB_EVICT_EARLIER
-  localparam bit SLB_EVICT_EARLIER = 1'b1;  // of equally far groups the earlier is evicted
+`ifdef GNOMON_MUTATE_SLB_AT_RUN
+  // The back end of the silhouette-line buffer: one build with all of them, chosen by a plusarg of their name.
+  bit SLB_EVICT_EARLIER   = $test$plusargs("SLB_EVICT_EARLIER") != 0;    // of equally far groups the earlier is evicted
+  bit SLB_FORGET_CENTRE   = $test$plusargs("SLB_FORGET_CENTRE") != 0;    // an evicted group leaves no answer behind
+  bit SLB_KEEP_CORNER     = $test$plusargs("SLB_KEEP_CORNER") != 0;      // a dropped chain still counts as a line
+  bit SLB_FIRST_LINE      = $test$plusargs("SLB_FIRST_LINE") != 0;       // a reduced chain always becomes its line A
+  bit SLB_WRAP_WINDING    = $test$plusargs("SLB_WRAP_WINDING") != 0;     // sums of winding numbers wrap
+  bit SLB_LOSE_CARRY      = $test$plusargs("SLB_LOSE_CARRY") != 0;       // FILL starts every row at 0
+  bit SLB_KEEP_LINES      = $test$plusargs("SLB_KEEP_LINES") != 0;       // FILL does not clear has_lines
+  bit SLB_COVER_ALL_ROWS  = $test$plusargs("SLB_COVER_ALL_ROWS") != 0;   // COVER trusts rows of earlier objects
+  bit SLB_LAST_OBJECT     = $test$plusargs("SLB_LAST_OBJECT") != 0;      // of several covering groups the last is named
+  bit SLB_OPEN_HALF_PLANE = $test$plusargs("SLB_OPEN_HALF_PLANE") != 0;  // a point on a line is outside of its inner side
 `else
-  localparam bit SLB_EVICT_EARLIER = 1'b0;
-`endif
-`ifdef GNOMON_MUTATE_SLB_OPEN_HALF_PLANE
-  localparam bit SLB_OPEN_HALF_PLANE = 1'b1;  // a point on a line is outside of its inner side
-`else
+  localparam bit SLB_EVICT_EARLIER   = 1'b0;
+  localparam bit SLB_FORGET_CENTRE   = 1'b0;
+  localparam bit SLB_KEEP_CORNER     = 1'b0;
+  localparam bit SLB_FIRST_LINE      = 1'b0;
+  localparam bit SLB_WRAP_WINDING    = 1'b0;
+  localparam bit SLB_LOSE_CARRY      = 1'b0;
+  localparam bit SLB_KEEP_LINES      = 1'b0;
+  localparam bit SLB_COVER_ALL_ROWS  = 1'b0;
+  localparam bit SLB_LAST_OBJECT     = 1'b0;
   localparam bit SLB_OPEN_HALF_PLANE = 1'b0;
 `endif
 

@@ -56,8 +56,8 @@ module slb_answer #(
         if (depth_i[i*D+:D] > farthest) farthest = depth_i[i*D+:D];
         if (!cont_i[i]) begin
           if (chains > 4'(threshold_i[i*TB+:TB]) && (D + 1)'(farthest) + bias < point) begin
+            if (!by_lines_o || !mutations_pkg::SLB_LAST_OBJECT) object_o = object_i[i*OB+:OB];
             by_lines_o = 1'b1;
-            object_o   = object_i[i*OB+:OB];
           end
           chains   = '0;
           farthest = '0;

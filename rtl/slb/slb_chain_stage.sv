@@ -74,7 +74,7 @@ module slb_chain_stage #(
       op_o       <= chain_op_i;
       a_o        <= chain_a_i;
       b_o        <= chain_b_i;
-      join_o     <= (in_a == contains) ? chain_a_i : chain_b_i;
+      join_o     <= (in_a == contains || mutations_pkg::SLB_FIRST_LINE) ? chain_a_i : chain_b_i;
       contains_o <= contains;
       corner_o   <= chain_corner_i;
       depth_o    <= chain_depth_i;

@@ -10,7 +10,8 @@ module slb_change (
 
   localparam int unsigned C = slb_pkg::CHANGE_BITS;
 
-  assign saturated_o = down_i ? sum_i == C'(127) : sum_i == C'(129);  // -127
+  // 129 is -127.
+  assign saturated_o = (down_i ? sum_i == C'(127) : sum_i == C'(129)) && !mutations_pkg::SLB_WRAP_WINDING;
   assign sum_o       = down_i ? sum_i + C'(1) : sum_i - C'(1);
 
 endmodule

@@ -34,7 +34,8 @@ module slb_cover_stage #(
   logic         on_plane, swept, valid_q;
   assign {row, column} = item_i[2*C-1:0];
   assign on_plane      = row[C-1:P] == '0 && column[C-1:P] == '0;
-  assign swept         = touched_i && row[P-1:0] >= first_row_i && row[P-1:0] <= last_row_i;
+  assign swept         = (touched_i && row[P-1:0] >= first_row_i && row[P-1:0] <= last_row_i) ||
+                         mutations_pkg::SLB_COVER_ALL_ROWS;
 
   // Saturating at 0; 2^range - 1 has up to 31 bits.
   logic [30:0] depth, reach, front;

@@ -107,7 +107,10 @@ module slb_fill #(
   end else begin : gen_row_always_begins
     assign row_begins = 1'b1;
   end
-  assign base = row_begins ? WINDING'(carry1_q) : base_q;
+  always_comb begin
+    base = row_begins ? WINDING'(carry1_q) : base_q;
+    if (row_begins && mutations_pkg::SLB_LOSE_CARRY) base = '0;
+  end
 
   logic [SLOTS*WINDING-1:0] windings;
   logic [SLOTS-1:0]         covered;

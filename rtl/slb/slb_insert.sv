@@ -110,7 +110,7 @@ module slb_insert #(
           centre_o[i] = centre_i[j];
         end
       end
-      if (evict && evict_first == 3'(i)) kept_answer = centre_i[i];
+      if (evict && evict_first == 3'(i)) kept_answer = centre_i[i] && !mutations_pkg::SLB_FORGET_CENTRE;
       if (append && place == 3'(i)) begin
         fragment    = {open, TB'(0), b_i, a_i, op_i, object_i, depth_i};
         centre_o[i] = 1'b0;
@@ -127,7 +127,8 @@ module slb_insert #(
   // ---- The corner sum, saturated: a change of -1, 0 or 1 ----
   logic signed [R:0]   corner_sum;
   logic signed [R-1:0] new_corner;
-  assign corner_sum = (R + 1)'(corner) + signed'((R + 1)'(corner_i)) - signed'((R + 1)'(dropped_o && contains_i));
+  assign corner_sum = (R + 1)'(corner) + signed'((R + 1)'(corner_i)) - 
+                      signed'((R + 1)'(dropped_o && contains_i && !mutations_pkg::SLB_KEEP_CORNER));
   always_comb begin
     if (corner_sum[R] == corner_sum[R-1]) new_corner = corner_sum[R-1:0];
     else                                  new_corner = {corner_sum[R], {(R - 1){!corner_sum[R]}}};

@@ -145,7 +145,7 @@ module slb_winding #(
     );
     plane_bank #(.ADDRESS_BITS(LINE_BITS), .WIDTH(1)) u_lines (
       .clk_i, .a_read_i(read), .a_address_i(read_line), .a_word_o(read_lines[i]), .b_read_i(1'b0),
-      .b_write_i(clear || (mark_i && mark_index_i[SLOT_BITS-1:0] == SLOT_BITS'(i))),
+      .b_write_i((mutations_pkg::SLB_KEEP_LINES ? scrub_i : clear) || (mark_i && mark_index_i[SLOT_BITS-1:0] == SLOT_BITS'(i))),
       .b_address_i(clear ? clear_line : mark_index_i[2*P-1:SLOT_BITS]), .b_word_i(!clear), .b_word_o(unused_line)
     );
   end

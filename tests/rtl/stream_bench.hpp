@@ -4,12 +4,14 @@
 
 #include <verilated.h>
 
+#include <array>
 #include <cstdint>
 #include <gnomon/golden/engine.hpp>
 #include <memory>
 #include <random>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace gnomon::rtl_test {
@@ -25,7 +27,11 @@ struct Stalls {
 template <class Model>
 class StreamBench {
  public:
-  explicit StreamBench(std::uint32_t seed) : random_(seed) {
+  /// `plusarg`: a seeded fault of a build that holds several, without its plus.
+  explicit StreamBench(std::uint32_t seed, const std::string& plusarg = {}) : random_(seed) {
+    const std::string argument = "+" + plusarg;
+    std::array<const char*, 2> arguments{"bench", argument.c_str()};
+    context_.commandArgs(2, arguments.data());
     context_.randReset(2);  // registers and memories start with random contents
     context_.randSeed(static_cast<int>(seed | 1u));
     model_ = std::make_unique<Model>(&context_);

@@ -8,6 +8,7 @@
 
 #include "Vslb_deep.h"
 #include "Vslb_default.h"
+#include "Vslb_faulty.h"
 #include "Vslb_published.h"
 #include "Vslb_small.h"
 #include "Vslb_wide.h"
@@ -86,6 +87,20 @@ struct SlbBuild<Vslb_deep> {
     config.subpixel_bits = 8;
     config.query_bits = 16;
     config.depth_bits = 12;
+    return config;
+  }
+};
+
+/// Holds seeded faults, to be chosen by a plusarg.
+template <>
+struct SlbBuild<Vslb_faulty> {
+  static golden::HardwareConfig config() {
+    golden::HardwareConfig config = slb_base();
+    config.en_vpu_offset = false;
+    config.slb_plane_log2 = 4;
+    config.frac_bits = config.slope_bits = 4;
+    config.subpixel_bits = config.query_bits = 7;
+    config.depth_bits = 8;
     return config;
   }
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <gnomon/golden/codec.hpp>
+#include <utility>
 
 #include "tests/golden/slb/stimulus.hpp"
 
@@ -133,6 +134,37 @@ std::vector<Word> piled_slb_stream(std::uint64_t seed, const HardwareConfig& har
   for (int i = 0; i < 150; ++i) append(words, slb_command(SlbOp::Loop, 0, 0, items));
   append(words, slb_command(SlbOp::Fill, 0, 0, {}));
   append(words, slb_command(SlbOp::EndObject, 0, 0, {}));
+  append_dump(words, config);
+  return words;
+}
+
+std::vector<Word> diagonal_slb_stream(const HardwareConfig& hardware) {
+  const SlbConfig config = hardware.slb_config();
+  const std::int64_t middle = config.side() / 2, reach = middle - 1;
+  std::vector<Word> corners, points;
+  for (const auto& [x, y] : {std::pair{middle, middle - reach}, std::pair{middle + reach, middle},
+                             std::pair{middle, middle + reach}, std::pair{middle - reach, middle}}) {
+    corners.push_back(
+        encode(golden::slb::Vertex{x << config.subpixel_bits, y << config.subpixel_bits, 0}, config));
+  }
+  // Read at + 1/2: a point and its mirror image 1 - x lie as far from their pixel's sides.
+  const auto one = std::int64_t{1} << config.query_bits;
+  for (std::int64_t i = 0; i < reach; ++i) {
+    for (const std::int64_t at : {std::int64_t{0}, one / 3, one - 1}) {
+      for (const std::int64_t y : {middle - reach + i, middle + reach - 1 - i}) {
+        const std::int64_t right = y < middle ? at : one - 1 - at;
+        points.push_back(
+            encode(golden::slb::QueryPoint{(middle + i) * one + right, y * one + at, 9}, config));
+        points.push_back(encode(
+            golden::slb::QueryPoint{(middle - 1 - i) * one + one - 1 - right, y * one + at, 9}, config));
+      }
+    }
+  }
+  std::vector<Word> words = slb_command(SlbOp::BeginObject, golden::slb::kBeginFlat, 7u << 24 | 5, {});
+  append(words, slb_command(SlbOp::Loop, 0, 0, corners));
+  append(words, slb_command(SlbOp::Fill, 0, 0, {}));
+  append(words, slb_command(SlbOp::EndObject, 0, 0, {}));
+  append(words, slb_command(SlbOp::Query, 0, 0, points));
   append_dump(words, config);
   return words;
 }

@@ -21,6 +21,9 @@ std::vector<golden::Word> crowded_slb_stream(std::uint64_t seed, const golden::H
 /// winding numbers and of corners saturate. Then as above.
 std::vector<golden::Word> piled_slb_stream(std::uint64_t seed, const golden::HardwareConfig& config);
 
+/// A diamond with its corners on the grid, and points exactly on its sides, which belong to it.
+std::vector<golden::Word> diagonal_slb_stream(const golden::HardwareConfig& config);
+
 /// One command.
 std::vector<golden::Word> slb_command(golden::slb::SlbOp op, std::uint8_t flags, std::uint32_t arg,
                                       const std::vector<golden::Word>& items);
