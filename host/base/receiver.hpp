@@ -6,7 +6,10 @@ namespace gnomon {
 
 struct Receiver {
   float x, y, z;  ///< grid coordinates
-  float facing;   ///< cosine between normal and light: not above 0 where the surface faces away
+  float facing;   ///< cosine between normal and light: negative where the surface faces away
+
+  /// A surface along the light's way does not: a cosine as small as this is rounding.
+  bool faces_light() const { return facing > 1e-9f; }
 };
 
 }  // namespace gnomon

@@ -37,9 +37,11 @@ golden::HardwareConfig joined(const golden::HardwareConfig& vpu, golden::Hardwar
   return slb;
 }
 
-Receiver at_representative(const voxel::Voxel& v, const Vec3& light, bool two_sided) {
+/// The normal is evaluated: the stored one is single precision, too coarse for walls along the light's way.
+Receiver at_representative(const voxel::Voxel& v, const surface::LimitSurface& surface, const Vec3& light,
+                           bool two_sided) {
   const Vec3 p = metrics::representative(v);
-  const double cosine = -metrics::representative_normal(v).dot(light.normalized());
+  const double cosine = -surface.normal(v.face, double{v.u}, double{v.v}).dot(light.normalized());
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
           static_cast<float>(two_sided ? std::abs(cosine) : cosine)};
 }
@@ -119,9 +121,12 @@ Result<std::vector<golden::Word>> SlbTechnique::stream(std::span<const Receiver>
     words =
         plan::vpu_stream(both, input_.voxels, plan::voxel_items(input_.voxels, config_), input_.two_sided);
   }
-  receivers_.reserve(input_.voxels.voxels.size() + points.size());
-  for (const voxel::Voxel& v : input_.voxels.voxels)
-    receivers_.push_back(at_representative(v, input_.light, input_.two_sided[v.object]));
+  const std::vector<voxel::Voxel>& voxels = input_.voxels.voxels;
+  receivers_.resize(voxels.size());
+  tbb::parallel_for(std::size_t{0}, voxels.size(), [&](std::size_t i) {
+    const voxel::Voxel& v = voxels[i];
+    receivers_[i] = at_representative(v, input_.surfaces[v.object], input_.light, input_.two_sided[v.object]);
+  });
   receivers_.insert(receivers_.end(), points.begin(), points.end());
 
   golden::StreamWriter writer(config_);
@@ -166,7 +171,7 @@ Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) cons
   std::size_t next = 0;
   for (std::size_t i = 0; i < receivers_.size(); ++i) {
     const Receiver& r = receivers_[i];
-    if (!(r.facing > 0)) continue;
+    if (!r.faces_light()) continue;
     if (next == answers.size()) return fail("the hardware answered fewer queries than it was asked");
     const golden::slb::QueryAnswer& answer = answers[next++];
     shadowed[i] = answer.shadow ? 1 : 0;

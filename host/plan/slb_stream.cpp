@@ -3,6 +3,7 @@
 #include "host/plan/slb_stream.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -117,20 +118,19 @@ golden::slb::QueryPoint query_point(const SlbPlan& plan, const Receiver& receive
 std::vector<SheetSample> sheet_samples(const SlbPlan& plan, const surface::LimitSurface& surface,
                                        const voxel::VoxelSet& voxels, std::uint32_t object, bool two_sided) {
   std::vector<SheetSample> samples;
-  const auto seen = [&](const voxel::Subpatch& p, std::size_t a, std::size_t b) {
-    const auto at = [&](std::size_t k) {
-      const voxel::Voxel& v = voxels.voxels[p.corner[k]];
-      return plan.plane.pixel({v.x + double{v.point[0]}, v.y + double{v.point[1]}, v.z + double{v.point[2]}});
-    };
-    return (at(b) - at(a)).length();
-  };
   for (const voxel::Subpatch& p : voxels.subpatches) {
     if (p.object != object) continue;
-    const auto count = [](double length) {
-      return std::max(1, static_cast<int>(std::ceil(length / kSampleSpacing)));
+    // Its own corners: the voxels that they fell into may be represented by points elsewhere.
+    const auto at = [&](float u, float v) {
+      return plan.plane.pixel(surface.position(p.face, double{u}, double{v}));
     };
-    const int nu = count(std::max(seen(p, 0, 1), seen(p, 3, 2)));
-    const int nv = count(std::max(seen(p, 0, 3), seen(p, 1, 2)));
+    const std::array<Vec2, 4> corner{at(p.u0, p.v0), at(p.u1, p.v0), at(p.u1, p.v1), at(p.u0, p.v1)};
+    const auto count = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+      const double longest = std::max((corner[b] - corner[a]).length(), (corner[d] - corner[c]).length());
+      return std::max(1, static_cast<int>(std::ceil(longest / kSampleSpacing)));
+    };
+    const int nu = count(0, 1, 3, 2);
+    const int nv = count(0, 3, 1, 2);
     for (int j = 0; j < nv; ++j)
       for (int i = 0; i < nu; ++i) {
         const double u = p.u0 + (double{p.u1} - p.u0) * (i + 0.5) / nu;
@@ -168,7 +168,7 @@ void draw_casters(golden::StreamWriter& writer, const SlbPlan& plan,
 void ask_receivers(golden::StreamWriter& writer, const SlbPlan& plan, std::span<const Receiver> receivers) {
   std::vector<golden::slb::QueryPoint> points;
   for (const Receiver& receiver : receivers) {
-    if (receiver.facing > 0) points.push_back(query_point(plan, receiver));
+    if (receiver.faces_light()) points.push_back(query_point(plan, receiver));
   }
   writer.query(points, static_cast<std::uint32_t>(std::ceil(kReceiverBias * plan.codes_per_voxel)));
 }

@@ -97,7 +97,7 @@ TEST_F(SlbPlanTest, OnlyReceiversThatFaceTheLightAreAskedFor) {
   const SlbPlan made = plan({0, 0, -1});
   golden::StreamWriter writer(made.config);
   const std::vector<Receiver> receivers{
-      {25, 25, 6.5f, 1}, {25, 25, 6.5f, 0}, {25, 25, 6.5f, -1}, {900, 25, 6.5f, 1}};
+      {25, 25, 6.5f, 1}, {25, 25, 6.5f, 1e-10f}, {25, 25, 6.5f, -1}, {900, 25, 6.5f, 1}};
   ask_receivers(writer, made, receivers);
   const std::vector<golden::Word> asked = items(writer, SlbOp::Query);
   ASSERT_EQ(asked.size(), 2u);
