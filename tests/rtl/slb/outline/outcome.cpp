@@ -28,17 +28,6 @@ std::ostream& operator<<(std::ostream& stream, const Counts& counts) {
 
 namespace {
 
-/// Rule 1 of "Loops", by itself: vertices equal to their predecessor, and a last one equal to the first.
-std::uint64_t repeats(const Loop& loop) {
-  const auto same_place = [](const Vertex& one, const Vertex& other) {
-    return one.x == other.x && one.y == other.y;
-  };
-  Loop kept = loop;
-  kept.erase(std::unique(kept.begin(), kept.end(), same_place), kept.end());
-  const bool closed = kept.size() >= 3 && same_place(kept.front(), kept.back());
-  return loop.size() - kept.size() + (closed ? 1 : 0);
-}
-
 /// Golden, writing down what it sends.
 golden::slb::ChainBuilder recording_builder(Outcome& outcome, const SlbConfig& config) {
   const auto on_chain = [&outcome, config](const Chain& chain) {
@@ -62,6 +51,8 @@ Outcome expected_so_far(std::span<const Vertex> vertices, const SlbConfig& confi
   Outcome outcome;
   golden::slb::ChainBuilder builder = recording_builder(outcome, config);
   for (const Vertex& vertex : vertices) builder.vertex(vertex);
+  outcome.counts = {
+      .vertices = vertices.size(), .repeated = builder.repeated(), .crossings = builder.crossings()};
   return outcome;
 }
 
@@ -73,13 +64,13 @@ Outcome expected(std::span<const Loop> loops, const SlbConfig& config) {
     for (const Vertex& vertex : loop) builder.vertex(vertex);
     const golden::slb::LoopSummary summary = builder.close();
     counts.vertices += loop.size();
-    counts.repeated += repeats(loop);
+    counts.repeated += summary.repeated;
+    counts.crossings += summary.crossings;
     ++counts.loops;
     if (summary.too_short) ++counts.shorts;
     if (summary.tiny) ++counts.tinies;
     counts.tiny_area2 += summary.tiny_area2;
   }
-  counts.crossings = outcome.chains.size();  // every crossing ends one chain
   return outcome;
 }
 

@@ -50,7 +50,7 @@ struct Outcome {
 /// Golden's answer.
 Outcome expected(std::span<const Loop> loops, const SlbConfig& config);
 
-/// What golden has sent for the first vertices of a loop that is not closed yet. Counts are left 0.
+/// What golden has sent for the first vertices of a loop that is not closed yet.
 Outcome expected_so_far(std::span<const Vertex> vertices, const SlbConfig& config);
 
 /// Fails the running test, once, where the two differ first; returns the number of records compared.
