@@ -36,9 +36,7 @@ Result<golden::HardwareConfig> hardware(const config::Settings& settings, const 
   const plan::SlbSettings chosen = slb_settings(settings);
   golden::HardwareConfig config =
       chosen.hardware(chosen.plane_log2 > 0 ? chosen.plane_log2 : plane_that_holds(scene));
-  // The unit alone: as little of the projection unit as can be built.
-  config.en_vpu_offset = false;
-  config.plane_log2 = 4;
+  config.plane_log2 = 4;  // the projection unit does nothing here: its plane need not be cleared for long
   if (const std::optional<std::string> refusal = config.check()) {
     return fail(fmt::format("command line: error: no hardware has these parameters ({}): {}",
                             slb_configuration(config), *refusal));
