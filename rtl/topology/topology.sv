@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+// Topology mode of the voxel projection unit: quads into the lists of the plane entries that they meet, then voxels,
+// whose beams are tested against the quads of their entry (docs/vpu-topology.md has the definition and the pipeline).
+
+`include "assertions.svh"
+
+module topology #(
+  parameter int unsigned VOXEL_BITS       = 8,
+  parameter int unsigned VOXEL_FRAC_BITS  = 2,
+  parameter int unsigned NORMAL_BITS      = 9,
+  parameter int unsigned MATRIX_FRAC_BITS = 22,
+  parameter int unsigned DEPTH_BITS       = 20,
+  parameter int unsigned PLANE_LOG2       = 9,
+  parameter int unsigned SUB_BITS         = 4,
+  parameter int unsigned SPAN_LOG2        = 4,
+  parameter int unsigned NODES_LOG2       = 20,
+  parameter int unsigned QUADS_LOG2       = 18,
+  parameter int unsigned MEM_LATENCY      = 1,
+  parameter int unsigned MEM_STALL_SEED   = 0
+) (
+  input  logic                                       clk_i,
+  input  logic                                       rst_ni,
+  // Register writes, those of the whole projection unit; only while idle.
+  input  logic                                       register_write_i,
+  input  logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index_i,
+  // A good command of this unit begins with header `word_i`; its items follow as `word_i`. Another kind of command
+  // begins only while the unit is idle.
+  input  logic                                       start_i,
+  input  logic                                       item_valid_i,
+  output logic                                       item_ready_o,
+  input  logic [63:0]                                word_i,           // header, item, or value of a register
+  output logic                                       result_valid_o,   // TOPOLOGY_STATE and LIST_HEAD words
+  input  logic                                       result_ready_i,
+  output logic [63:0]                                result_o,
+  output logic                                       idle_o,           // without another word nothing more happens
+  output logic                                       step_o,           // one step of a clear, a read, a link or a walk
+  output logic                                       wait_o,           // a memory holds something back
+  output logic                                       clipped_o,        // event: raises QUAD_OFF_PLANE
+  output topology_pkg::topology_events_t             events_o
+);
+
+  if (SUB_BITS < 2 || SUB_BITS > 8)
+    $error("SUB_BITS is out of range 2..8");
+  if (SPAN_LOG2 < 2 || SPAN_LOG2 > 6)
+    $error("SPAN_LOG2 is out of range 2..6");
+  if (NODES_LOG2 < 4 || NODES_LOG2 > 24)
+    $error("NODES_LOG2 is out of range 4..24");
+  if (QUADS_LOG2 < 4 || QUADS_LOG2 > 24)
+    $error("QUADS_LOG2 is out of range 4..24");
+
+  localparam int unsigned P          = VOXEL_BITS + VOXEL_FRAC_BITS;
+  localparam int unsigned UV_M       = gnomon_pkg::uv_coefficient_bits(MATRIX_FRAC_BITS);
+  localparam int unsigned UV_1       = gnomon_pkg::uv_constant_bits(MATRIX_FRAC_BITS, P);
+  localparam int unsigned UV_ACC     = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, P);
+  localparam int unsigned D          = DEPTH_BITS;
+  localparam int unsigned D_M        = gnomon_pkg::depth_coefficient_bits(D, P);
+  localparam int unsigned D_1        = gnomon_pkg::depth_constant_bits(D, P);
+  localparam int unsigned D_ACC      = gnomon_pkg::depth_acc_bits(D, P);
+  localparam int unsigned INDEX      = 2 * PLANE_LOG2;
+  localparam int unsigned COORDINATE = PLANE_LOG2 + SUB_BITS + 2;
+  localparam int unsigned HEAD       = topology_pkg::head_bits(D, NODES_LOG2);
+  localparam int unsigned NODE       = topology_pkg::node_bits(D, NODES_LOG2, QUADS_LOG2);
+  localparam int unsigned RECORD     = topology_pkg::record_bits(SUB_BITS, SPAN_LOG2);
+  // A walk's round takes 2 MEM_LATENCY + 10 cycles; the others wait until an older one is done.
+  localparam int unsigned WALKS_LOG2 = $clog2(2 * MEM_LATENCY + 48);
+  localparam int unsigned HEAD_TAG   = 3 + D + 2 * (PLANE_LOG2 + SUB_BITS);
+  localparam int unsigned NODE_TAG   = 2 * topology_pkg::COUNT_BITS + WALKS_LOG2;
+  localparam int unsigned RECORD_TAG = NODE_TAG + 1 + NODES_LOG2 + QUADS_LOG2;
+
+  // ---- Registers; this mode has no use for those of the margin test ----
+  logic signed [UV_M-1:0]                    ux, uy, uz, vx, vy, vz;
+  logic signed [UV_1-1:0]                    u1, v1;
+  logic signed [D_M-1:0]                     dx, dy, dz;
+  logic signed [D_1-1:0]                     d1;
+  logic [gnomon_pkg::OFFSET_FACTOR_BITS-1:0] offset_factor;
+  logic [gnomon_pkg::SHIFT_BITS-1:0]         facing_shift, tilt_shift, delta_shift;
+  logic [gnomon_pkg::MARGIN_BITS-1:0]        margin_squared;
+  logic [D-1:0]                              delta_max;
+  logic                                      unused_margin;
+  vpu_registers #(.POSITION_BITS(P), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D)) u_registers (
+    .clk_i, .rst_ni, .write_i(register_write_i), .index_i(register_index_i), .value_i(word_i),
+    .ux_o(ux), .uy_o(uy), .uz_o(uz), .u1_o(u1), .vx_o(vx), .vy_o(vy), .vz_o(vz), .v1_o(v1),
+    .dx_o(dx), .dy_o(dy), .dz_o(dz), .d1_o(d1), .offset_factor_o(offset_factor), .facing_shift_o(facing_shift),
+    .tilt_shift_o(tilt_shift), .delta_shift_o(delta_shift), .margin_squared_o(margin_squared),
+    .delta_max_o(delta_max)
+  );
+  assign unused_margin = ^{facing_shift, tilt_shift, delta_shift, margin_squared, delta_max};
+
+  // ---- The command in progress ----
+  gnomon_pkg::header_t header;
+  logic                clear_start, read_start, put_q, two_sided_q, sorted_q, unused_header;
+  logic [D-1:0]        clearance_q;
+  assign header        = word_i;
+  assign clear_start   = start_i && header.op == gnomon_pkg::OP_CLEAR_LISTS;
+  assign read_start    = start_i && header.op == gnomon_pkg::OP_READ_LISTS;
+  assign unused_header = ^header.count;
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      put_q       <= header.op == gnomon_pkg::OP_PUT_QUADS;
+      two_sided_q <= (header.flags & gnomon_pkg::TOPOLOGY_TWO_SIDED) != '0;
+      sorted_q    <= (header.flags & gnomon_pkg::TOPOLOGY_SORTED) != '0;
+      clearance_q <= header.arg[D-1:0];
+    end
+  end
+
+  // ---- Control: stages 0 to 3, and 4 and 5 of a voxel, move together or not at all; arguments travel along ----
+  localparam int unsigned ARGS = D + 3;
+  logic [3:0]        valid_q;       // bit s: stage s
+  logic [6*ARGS-1:0] args_q;        // {clearance, sorted, two-sided, put}, stage 0 in the low bits
+  logic              en, put3, corner_valid, corner_ready, ask, asked;
+  assign en           = !(corner_valid && !corner_ready) && !(ask && !asked);
+  assign item_ready_o = en;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q <= '0;
+    else if (en) valid_q <= {valid_q[2:0], item_valid_i};
+  end
+  always_ff @(posedge clk_i) begin
+    if (en) args_q <= {args_q[5*ARGS-1:0], clearance_q, sorted_q, two_sided_q, put_q};
+  end
+  assign put3 = args_q[3*ARGS];
+
+  // ---- Stage 0: fields; stages 1 to 3: projection ----
+  logic [P-1:0]                            x, y, z;
+  logic signed [NORMAL_BITS-1:0]           nx, ny, nz;
+  logic signed [UV_ACC-1:0]                u_acc, v_acc;
+  logic signed [D_ACC-1:0]                 d_acc;
+  logic                                    off_plane, saturated, unused_entry;
+  logic [INDEX-1:0]                        entry;
+  logic [gnomon_pkg::DEPTH_FIELD_BITS-1:0] depth;
+  vpu_unpack #(.POSITION_BITS(P), .NORMAL_BITS(NORMAL_BITS)) u_unpack (
+    .clk_i, .en_i(en), .item_i(word_i), .x_o(x), .y_o(y), .z_o(z), .nx_o(nx), .ny_o(ny), .nz_o(nz)
+  );
+  vpu_project #(
+    .POSITION_BITS(P), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2)
+  ) u_project (
+    .clk_i, .en_i(en), .x_i(x), .y_i(y), .z_i(z), .ux_i(ux), .uy_i(uy), .uz_i(uz), .u1_i(u1),
+    .vx_i(vx), .vy_i(vy), .vz_i(vz), .v1_i(v1), .dx_i(dx), .dy_i(dy), .dz_i(dz), .d1_i(d1),
+    .u_acc_o(u_acc), .v_acc_o(v_acc), .d_acc_o(d_acc), .off_plane_o(off_plane), .index_o(entry), .depth_o(depth),
+    .saturated_o(saturated)
+  );
+  assign unused_entry = ^{off_plane, entry, depth};  // of a whole entry; this mode is finer
+
+  // ---- PUT_QUADS ----
+  logic                         put_idle, update_valid, update_ready, modify_valid, modify_present;
+  logic [INDEX-1:0]             update_index;
+  logic [NODE-1:0]              update_operand, modify_operand, put_node;
+  logic [HEAD-1:0]              modify_head, new_head;
+  logic                         node_write, node_written, record_write, record_written;
+  logic [NODES_LOG2-1:0]        put_node_index;
+  logic [QUADS_LOG2-1:0]        put_record_index;
+  logic [RECORD-1:0]            put_record;
+  logic signed [COORDINATE-1:0] corner_u, corner_v;
+  assign corner_valid = valid_q[3] && put3;
+  topology_corner #(
+    .ACC_BITS(UV_ACC), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
+  ) u_corner_u (.acc_i(u_acc), .sub_o(corner_u));
+  topology_corner #(
+    .ACC_BITS(UV_ACC), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
+  ) u_corner_v (.acc_i(v_acc), .sub_o(corner_v));
+  topology_put #(
+    .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
+    .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(MEM_LATENCY)
+  ) u_put (
+    .clk_i, .rst_ni, .clear_i(clear_start), .corner_valid_i(corner_valid), .corner_ready_o(corner_ready),
+    .u_i(corner_u), .v_i(corner_v), .depth_i(depth[D-1:0]), .saturated_i(saturated), .update_valid_o(update_valid),
+    .update_ready_i(update_ready), .update_index_o(update_index), .update_operand_o(update_operand),
+    .modify_valid_i(modify_valid), .modify_present_i(modify_present), .modify_head_i(modify_head),
+    .modify_operand_i(modify_operand), .modify_head_o(new_head), .node_valid_o(node_write),
+    .node_ready_i(node_written), .node_index_o(put_node_index), .node_o(put_node), .record_valid_o(record_write),
+    .record_ready_i(record_written), .record_index_o(put_record_index), .record_o(put_record), .idle_o(put_idle),
+    .put_o(events_o.quad_put), .clipped_o, .missed_o(events_o.quad_off_plane), .too_large_o(events_o.quad_too_large),
+    .saturated_o(events_o.quad_saturated), .linked_o(events_o.node_linked), .dropped_o(events_o.node_dropped)
+  );
+
+  // ---- RESOLVE_TOPOLOGY ----
+  logic                           resolve_idle, resolve_head, resolve_taken, head_present, state_valid;
+  logic                           node_ask, node_asked, node_valid, node_taken, record_ask, record_asked, record_valid;
+  logic [INDEX-1:0]               ask_index;
+  logic [HEAD_TAG-1:0]            ask_tag, head_tag;
+  logic [HEAD-1:0]                head;
+  logic [NODES_LOG2-1:0]          node_index;
+  logic [NODE_TAG-1:0]            node_ask_tag, node_tag;
+  logic [NODE-1:0]                node;
+  logic [QUADS_LOG2-1:0]          record_index;
+  logic [RECORD_TAG-1:0]          record_ask_tag, record_tag;
+  logic [RECORD-1:0]              record;
+  topology_pkg::topology_result_t state;
+  topology_resolve #(
+    .POSITION_BITS(P), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D),
+    .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
+    .QUADS_LOG2(QUADS_LOG2), .WALKS_LOG2(WALKS_LOG2)
+  ) u_resolve (
+    .clk_i, .rst_ni, .en_i(en), .ux_i(ux), .uy_i(uy), .uz_i(uz), .vx_i(vx), .vy_i(vy), .vz_i(vz), .dx_i(dx),
+    .dy_i(dy), .dz_i(dz), .offset_factor_i(offset_factor), .nx_i(nx), .ny_i(ny), .nz_i(nz),
+    .two_sided_i(args_q[2*ARGS+1]), .valid_i(valid_q[3] && !put3), .u_acc_i(u_acc), .v_acc_i(v_acc),
+    .d_acc_i(d_acc), .sorted_i(args_q[5*ARGS+2]), .clearance_i(args_q[5*ARGS+3+:D]), .idle_o(resolve_idle),
+    .read_valid_o(ask), .read_ready_i(asked), .read_index_o(ask_index), .read_tag_o(ask_tag),
+    .head_valid_i(resolve_head), .head_ready_o(resolve_taken), .head_present_i(head_present), .head_i(head),
+    .head_tag_i(head_tag), .ask_valid_o(node_ask), .ask_ready_i(node_asked), .ask_index_o(node_index),
+    .ask_tag_o(node_ask_tag), .node_valid_i(node_valid), .node_ready_o(node_taken), .node_i(node),
+    .node_tag_i(node_tag), .fetch_valid_o(record_ask), .fetch_ready_i(record_asked), .fetch_index_o(record_index),
+    .fetch_tag_o(record_ask_tag), .record_valid_i(record_valid), .record_i(record), .record_tag_i(record_tag),
+    .result_valid_o(state_valid), .result_ready_i, .result_o(state), .visited_o(events_o.node_visited),
+    .tested_o(events_o.quad_tested)
+  );
+
+  // ---- READ_LISTS: the heads' read port belongs to it while it lasts ----
+  logic                            reader_busy, reader_ask, reader_asked, reader_valid, reader_taken;
+  logic                            read_valid, read_ready, head_valid, head_ready;
+  logic [INDEX-1:0]                reader_index, read_index;
+  logic [HEAD_TAG-1:0]             reader_tag;
+  topology_pkg::list_head_result_t list_head;
+  topology_reader #(.INDEX_BITS(INDEX), .DEPTH_BITS(D), .TAG_BITS(HEAD_TAG)) u_reader (
+    .clk_i, .rst_ni, .start_i(read_start), .first_i(header.arg[INDEX-1:0]), .count_minus1_i(header.arg[31:24]),
+    .busy_o(reader_busy), .read_valid_o(reader_ask), .read_ready_i(reader_asked), .read_index_o(reader_index),
+    .read_tag_o(reader_tag), .head_valid_i(reader_busy && head_valid), .head_ready_o(reader_taken),
+    .present_i(head_present), .linked_i(head[HEAD-2]), .dropped_i(head[HEAD-1]), .near_i(head[NODES_LOG2+:D]),
+    .index_i(head_tag[INDEX-1:0]), .result_valid_o(reader_valid), .result_ready_i, .result_o(list_head)
+  );
+  assign read_valid   = reader_busy ? reader_ask : ask;
+  assign read_index   = reader_busy ? reader_index : ask_index;
+  assign asked        = !reader_busy && read_ready;
+  assign reader_asked = reader_busy && read_ready;
+  assign resolve_head = !reader_busy && head_valid;
+  assign head_ready   = reader_busy ? reader_taken : resolve_taken;
+
+  // ---- Memories ----
+  logic scrubbing, heads_idle, nodes_idle, records_idle;
+  topology_heads #(
+    .INDEX_BITS(INDEX), .HEAD_BITS(HEAD), .OPERAND_BITS(NODE), .TAG_BITS(HEAD_TAG), .READ_LATENCY(MEM_LATENCY),
+    .STALL_SEED(MEM_STALL_SEED)
+  ) u_heads (
+    .clk_i, .rst_ni, .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),
+    .update_operand_i(update_operand), .modify_valid_o(modify_valid), .modify_present_o(modify_present),
+    .modify_head_o(modify_head), .modify_operand_o(modify_operand), .modify_head_i(new_head),
+    .read_valid_i(read_valid), .read_ready_o(read_ready), .read_index_i(read_index),
+    .read_tag_i(reader_busy ? reader_tag : ask_tag), .head_valid_o(head_valid), .head_ready_i(head_ready),
+    .head_present_o(head_present), .head_o(head), .head_tag_o(head_tag), .clear_i(clear_start),
+    .scrubbing_o(scrubbing), .idle_o(heads_idle)
+  );
+  topology_store #(
+    .INDEX_BITS(NODES_LOG2), .WORD_BITS(NODE), .TAG_BITS(NODE_TAG), .READ_LATENCY(MEM_LATENCY),
+    .STALL_SEED(MEM_STALL_SEED)
+  ) u_nodes (
+    .clk_i, .rst_ni, .write_valid_i(node_write), .write_ready_o(node_written), .write_index_i(put_node_index),
+    .write_word_i(put_node), .read_valid_i(node_ask), .read_ready_o(node_asked), .read_index_i(node_index),
+    .read_tag_i(node_ask_tag), .word_valid_o(node_valid), .word_ready_i(node_taken), .word_o(node),
+    .word_tag_o(node_tag), .idle_o(nodes_idle)
+  );
+  topology_store #(
+    .INDEX_BITS(QUADS_LOG2), .WORD_BITS(RECORD), .TAG_BITS(RECORD_TAG), .READ_LATENCY(MEM_LATENCY),
+    .STALL_SEED((MEM_STALL_SEED == 0) ? 0 : MEM_STALL_SEED ^ 32'h3D7A)
+  ) u_records (
+    .clk_i, .rst_ni, .write_valid_i(record_write), .write_ready_o(record_written), .write_index_i(put_record_index),
+    .write_word_i(put_record), .read_valid_i(record_ask), .read_ready_o(record_asked), .read_index_i(record_index),
+    .read_tag_i(record_ask_tag), .word_valid_o(record_valid), .word_ready_i(1'b1), .word_o(record),
+    .word_tag_o(record_tag), .idle_o(records_idle)
+  );
+
+  // ---- Results, events, state ----
+  logic state_given;
+  assign result_valid_o       = reader_valid || state_valid;
+  assign result_o             = reader_valid ? list_head : state;
+  assign state_given          = state_valid && result_ready_i;
+  assign events_o.resolved    = state_given;
+  assign events_o.facing_away = state_given && state.facing_away;
+  assign events_o.off_plane   = state_given && state.off_plane;
+  assign events_o.uncertain   = state_given && state.uncertain;
+  assign events_o.hit         = state_given && state.hit;
+  assign events_o.fallback    = state_given && state.fallback;
+  assign events_o.shadow      = state_given && state.state == gnomon_pkg::STATE_SHADOW;
+
+  assign idle_o = valid_q == '0 && put_idle && resolve_idle && !reader_busy && heads_idle && nodes_idle && records_idle;
+  assign step_o = scrubbing || (update_valid && update_ready) || events_o.node_visited ||
+                  (reader_ask && reader_asked) || (reader_valid && result_ready_i);
+  assign wait_o = (read_valid && !read_ready) || (update_valid && !update_ready) || (node_write && !node_written) ||
+                  (record_write && !record_written) || (node_ask && !node_asked) || (record_ask && !record_asked);
+
+  `GNOMON_ASSERT(a_one_pass, !(corner_valid && ask))
+  `GNOMON_ASSERT(a_one_source, !(reader_valid && state_valid))
+  `GNOMON_ASSERT(a_write_while_idle, !register_write_i || idle_o)
+  `GNOMON_ASSERT(a_alone, !(clear_start || read_start) || idle_o)
+  `GNOMON_ASSERT_STREAM(a_result_stable, result_valid_o, result_ready_i, result_o)
+
+endmodule
