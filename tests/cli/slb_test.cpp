@@ -159,6 +159,31 @@ TEST_F(SlbTest, TheHardwareGivesTheSameAnswers) {
   EXPECT_GE(figures.at("cycles").at("QUERY").at("BUSY"), 5000);
 }
 
+TEST_F(SlbTest, ADifferenceIsTold) {
+  // Fine teeth: chains of one pixel follow each other closely, and this hardware forgets to forward them.
+  nlohmann::json teeth = nlohmann::json::array();
+  for (int i = 0; i < 80; ++i) {
+    const double angle = i * 6.283185307179586 / 80, radius = i % 2 == 0 ? 4.5 : 6.5;
+    teeth.push_back({8.1 + radius * std::cos(angle), 8.2 + radius * std::sin(angle)});
+  }
+  const std::string loops = nlohmann::json{{"objects", {{{"depth", 0.5}, {"loops", {teeth}}}}}}.dump();
+  std::string queries;
+  for (int i = 0; i < 4096; ++i)
+    queries += std::to_string(i % 64 * 0.25 + 0.1) + "," + std::to_string(i / 64 * 0.25 + 0.1) + ",1\n";
+  const std::vector<std::string> set{"--set", "plane=16", "--set", "slb_preset=slb4"};
+  ASSERT_EQ(slb(loops, queries, set).status, 0);
+  const std::string expected = content(file("r.csv"));
+  std::vector<std::string> more = set;
+  more.insert(more.end(), {"--engine", "rtl", "--define", "GNOMON_MUTATE_NO_FORWARDING"});
+  const Outcome outcome = slb(loops, queries, more);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("first difference: result word "), HasSubstr("4097 words compared, "),
+                    HasSubstr("the answers written are golden's"), HasSubstr("reproduce: gnomon slb --loops"),
+                    HasSubstr("--define GNOMON_MUTATE_NO_FORWARDING")));
+  EXPECT_EQ(content(file("r.csv")), expected);
+}
+
 TEST_F(SlbTest, WarnsOfWhatCastsNothing) {
   const Outcome outcome = slb(
       R"({"objects":[{"depth":0,"loops":[[[10,10],[10,50],[50,50],[50,10]],[[1,1],[2,1],[2,2],[1,1]]]}]})",
