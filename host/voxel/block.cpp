@@ -39,8 +39,10 @@ std::vector<Cell> Cell::children(Split split) const {
 
 RecursionRules RecursionRules::of(const Grid& grid) {
   // Around a vertex of high valence a cell's size shrinks by no less than 0.65 a level: so many levels bring
-  // anything that fits into the grid below a voxel. Two more for good measure.
-  const int levels = static_cast<int>(std::ceil(std::log2(static_cast<double>(grid.res)) / 0.6)) + 2;
+  // anything that fits into the grid below a voxel. Two more for good measure, and for N = 18 six more: where
+  // a curve passes close to a voxel's corner, it changes three coordinates within a small part of a voxel.
+  const int more = grid.adjacency == Adjacency::N18 ? 8 : 2;
+  const int levels = static_cast<int>(std::ceil(std::log2(static_cast<double>(grid.res)) / 0.6)) + more;
   return {grid.adjacency, grid.res, kParameterBits - std::min(levels, kParameterBits)};
 }
 

@@ -14,7 +14,8 @@ class Recursion {
  public:
   Recursion(const surface::LimitSurface& s, const voxel::Grid& grid, ReferenceVoxels& out)
       : surface_(s), grid_(grid), out_(out) {
-    levels_ = std::min(24, static_cast<int>(std::ceil(std::log2(grid.res) / 0.6)) + 2);
+    const int more = grid.adjacency == voxel::Adjacency::N18 ? 8 : 2;
+    levels_ = std::min(24, static_cast<int>(std::ceil(std::log2(grid.res) / 0.6)) + more);
   }
 
   void run(std::uint32_t face) { cell(face, 0, 0, 1, 1, 0, 0); }

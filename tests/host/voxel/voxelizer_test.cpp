@@ -164,6 +164,15 @@ TEST(Voxelizer, EvaluatesAboutOncePerVoxel) {
   }
 }
 
+// Generic surfaces pass close by many voxels' corners, but through none.
+TEST(Voxelizer, EighteenNeighboursDoNotReachTheFloor) {
+  for (const auto& mesh : {torus(6, 5), spindle(7), prism(5)}) {
+    auto turned = mesh;
+    for (Vec3& p : turned.positions) p = Vec3(p.x + 0.31 * p.y, p.y - 0.17 * p.z, p.z + 0.23 * p.x);
+    EXPECT_EQ(voxels_of(turned, 200, Adjacency::N18).statistics.floor_hits, 0U) << mesh.name;
+  }
+}
+
 // Most of the evaluations of N = 6 are spent where the surface bends within a voxel.
 TEST(Voxelizer, EvaluatesFewMorePointsForSixNeighbours) {
   for (const auto& [mesh, limit] :
