@@ -5,10 +5,12 @@
 #include <array>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/config.hpp>
+#include <gnomon/golden/slb/codec.hpp>
 #include <random>
 
 #include "Vprobe_default.h"
 #include "Vprobe_wide.h"
+#include "sim/counter_names.hpp"
 
 namespace gnomon::rtl_test {
 namespace {
@@ -54,7 +56,7 @@ using Probes = testing::Types<Vprobe_default, Vprobe_wide>;
 TYPED_TEST_SUITE(Package, Probes);
 
 TYPED_TEST(Package, ConstantsAreTheCodecs) {
-  const std::array<std::uint64_t, 17> expected{
+  const std::array<std::uint64_t, 32> expected{
       std::uint64_t(Op::Nop),
       std::uint64_t(Op::SetRegisters),
       std::uint64_t(Op::ClearPlane),
@@ -72,6 +74,21 @@ TYPED_TEST(Package, ConstantsAreTheCodecs) {
       std::uint64_t(ErrorCode::ReservedFlag),
       std::uint64_t(VoxelState::Lit),
       std::uint64_t(VoxelState::Shadow),
+      std::uint64_t(slb::SlbOp::Clear),
+      std::uint64_t(slb::SlbOp::BeginObject),
+      std::uint64_t(slb::SlbOp::Loop),
+      std::uint64_t(slb::SlbOp::Fill),
+      std::uint64_t(slb::SlbOp::Cover),
+      std::uint64_t(slb::SlbOp::EndObject),
+      std::uint64_t(slb::SlbOp::Query),
+      std::uint64_t(slb::SlbOp::ReadEntries),
+      slb::kBeginFlat,
+      slb::kLoopMore,
+      std::uint64_t(ErrorCode::BadSequence),
+      sim::kSlbEventNames.size(),
+      sim::kFirstSlbCounter,
+      sim::kFirstCycleCounter,
+      sim::kPassNames.size() - 1,
   };
   for (std::size_t i = 0; i < expected.size(); ++i) {
     this->probe_.constant_i = static_cast<CData>(i);
@@ -96,7 +113,7 @@ TYPED_TEST(Package, HeadersHaveTheCodecsFields) {
 TYPED_TEST(Package, ResultsAreEncodedAsTheCodecDoes) {
   auto& probe = this->probe_;
   for (int i = 0; i < 1000; ++i) {
-    const FenceResult fence{static_cast<std::uint32_t>(this->bits(3)),
+    const FenceResult fence{static_cast<std::uint32_t>(this->bits(11)) & 0x707u,
                             static_cast<std::uint32_t>(this->bits(32))};
     const PlaneEntryResult entry{static_cast<std::uint32_t>(this->bits(24)), this->bits(1) != 0,
                                  static_cast<std::uint32_t>(this->bits(24))};
@@ -110,7 +127,7 @@ TYPED_TEST(Package, ResultsAreEncodedAsTheCodecDoes) {
                             .beyond_max = this->bits(1) != 0,
                             .nearest = static_cast<std::uint32_t>(this->bits(24)),
                             .delta = static_cast<std::uint32_t>(this->bits(24))};
-    probe.sticky_i = static_cast<CData>(fence.sticky);
+    probe.sticky_i = static_cast<SData>(fence.sticky);
     probe.tag_i = fence.tag;
     probe.index_i = entry.index;
     probe.present_i = entry.present;
@@ -130,6 +147,31 @@ TYPED_TEST(Package, ResultsAreEncodedAsTheCodecDoes) {
     ASSERT_EQ(probe.plane_entry_o, encode(entry));
     ASSERT_EQ(probe.error_o, encode(error));
     ASSERT_EQ(probe.voxel_o, encode(voxel));
+  }
+}
+
+TYPED_TEST(Package, AnswersAndEntriesOfTheSilhouetteLineBufferAreEncodedAsTheCodecDoes) {
+  auto& probe = this->probe_;
+  for (int i = 0; i < 1000; ++i) {
+    const slb::QueryAnswer answer{.shadow = this->bits(1) != 0,
+                                  .by_full = this->bits(1) != 0,
+                                  .has_fragment = this->bits(1) != 0,
+                                  .overflow = this->bits(1) != 0,
+                                  .off_plane = this->bits(1) != 0,
+                                  .by_lines = this->bits(1) != 0,
+                                  .object = static_cast<std::uint8_t>(this->bits(8))};
+    const auto number = static_cast<std::uint16_t>(this->bits(16));
+    const slb::EntryHeader entry{static_cast<std::uint32_t>(this->bits(24)),
+                                 static_cast<std::uint8_t>(this->bits(8))};
+    probe.answer_i = static_cast<CData>(answer.shadow << 5 | answer.by_full << 4 | answer.by_lines << 3 |
+                                        answer.has_fragment << 2 | answer.overflow << 1 | answer.off_plane);
+    probe.object_i = answer.object;
+    probe.number_i = number;
+    probe.index_i = entry.index;
+    probe.words_i = entry.words;
+    probe.eval();
+    ASSERT_EQ(probe.answer_o, encode(answer, number));
+    ASSERT_EQ(probe.slb_entry_o, encode(entry));
   }
 }
 

@@ -20,7 +20,7 @@ module package_probe #(
   output logic [15:0] header_count_o,
   output logic [31:0] header_arg_o,
   // Result words from fields.
-  input  logic [2:0]  sticky_i,
+  input  logic [10:0] sticky_i,
   input  logic [31:0] tag_i,
   output logic [63:0] fence_o,
   input  logic [23:0] index_i,
@@ -39,6 +39,12 @@ module package_probe #(
   input  logic [23:0] nearest_i,
   input  logic [23:0] delta_i,
   output logic [63:0] voxel_o,
+  input  logic [5:0]  answer_i,     // shadow, by_full, by_lines, has_fragment, overflow, off_plane
+  input  logic [7:0]  object_i,
+  input  logic [15:0] number_i,
+  output logic [63:0] answer_o,
+  input  logic [7:0]  words_i,
+  output logic [63:0] slb_entry_o,
   // A voxel item in fields, a cycle later.
   input  logic [63:0] item_i,
   output logic [31:0] x_o, y_o, z_o,
@@ -69,6 +75,21 @@ module package_probe #(
       8'd14: constant_o = 64'(gnomon_pkg::ERROR_RESERVED_FLAG);
       8'd15: constant_o = 64'(gnomon_pkg::STATE_LIT);
       8'd16: constant_o = 64'(gnomon_pkg::STATE_SHADOW);
+      8'd17: constant_o = 64'(gnomon_pkg::OP_SLB_CLEAR);
+      8'd18: constant_o = 64'(gnomon_pkg::OP_BEGIN_OBJECT);
+      8'd19: constant_o = 64'(gnomon_pkg::OP_LOOP);
+      8'd20: constant_o = 64'(gnomon_pkg::OP_FILL);
+      8'd21: constant_o = 64'(gnomon_pkg::OP_COVER);
+      8'd22: constant_o = 64'(gnomon_pkg::OP_END_OBJECT);
+      8'd23: constant_o = 64'(gnomon_pkg::OP_QUERY);
+      8'd24: constant_o = 64'(gnomon_pkg::OP_READ_ENTRIES);
+      8'd25: constant_o = 64'(gnomon_pkg::BEGIN_FLAT);
+      8'd26: constant_o = 64'(gnomon_pkg::LOOP_MORE);
+      8'd27: constant_o = 64'(gnomon_pkg::ERROR_BAD_SEQUENCE);
+      8'd28: constant_o = 64'(gnomon_pkg::SLB_COUNTER_COUNT);
+      8'd29: constant_o = 64'(gnomon_pkg::COUNTER_SLB);
+      8'd30: constant_o = 64'(gnomon_pkg::COUNTER_CYCLES);
+      8'd31: constant_o = 64'(gnomon_pkg::PASS_QUERY);
       default: constant_o = '0;
     endcase
   end
@@ -84,13 +105,18 @@ module package_probe #(
   gnomon_pkg::plane_entry_result_t plane_entry;
   gnomon_pkg::error_result_t       error;
   gnomon_pkg::voxel_result_t       voxel;
+  gnomon_pkg::slb_answer_t         answer;
+  gnomon_pkg::slb_entry_result_t   slb_entry;
   always_comb begin
-    fence                       = '0;
-    fence.code                  = gnomon_pkg::RESULT_FENCE;
-    fence.sticky.error_seen     = sticky_i[0];
-    fence.sticky.off_plane      = sticky_i[1];
-    fence.sticky.depth_saturated = sticky_i[2];
-    fence.tag                   = tag_i;
+    fence                          = '0;
+    fence.code                     = gnomon_pkg::RESULT_FENCE;
+    fence.sticky.error_seen        = sticky_i[0];
+    fence.sticky.off_plane         = sticky_i[1];
+    fence.sticky.depth_saturated   = sticky_i[2];
+    fence.sticky.line_overflow     = sticky_i[8];
+    fence.sticky.object_overflow   = sticky_i[9];
+    fence.sticky.winding_saturated = sticky_i[10];
+    fence.tag                      = tag_i;
     plane_entry         = '0;
     plane_entry.code    = gnomon_pkg::RESULT_PLANE_ENTRY;
     plane_entry.index   = index_i;
@@ -110,7 +136,20 @@ module package_probe #(
     voxel.beyond_max   = beyond_max_i;
     voxel.nearest      = nearest_i;
     voxel.delta        = delta_i;
+    answer             = '0;
+    answer.code        = gnomon_pkg::RESULT_SLB_ANSWER;
+    answer.object_id   = object_i;
+    answer.number      = number_i;
+    {answer.shadow, answer.by_full, answer.by_lines, answer.has_fragment, answer.overflow, answer.off_plane} = answer_i;
+    slb_entry          = '0;
+    slb_entry.code     = gnomon_pkg::RESULT_SLB_ENTRY;
+    slb_entry.index    = index_i;
+    slb_entry.words    = words_i;
   end
+  assign answer_o      = answer;
+  assign slb_entry_o   = slb_entry;
+  logic unused_sticky;
+  assign unused_sticky = ^sticky_i[7:3];
   assign fence_o       = fence;
   assign plane_entry_o = plane_entry;
   assign error_o       = error;
