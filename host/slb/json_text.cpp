@@ -18,6 +18,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kLongestPath = 100;  // of one that somebody may want to read
+
 Result<std::string> text_of(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
@@ -122,6 +124,7 @@ std::string reason(const char* what) {
 std::string to_text(const JsonPath& path) {
   std::string text;
   for (const JsonStep& step : path) {
+    if (text.size() > kLongestPath) return text + "...";
     if (const auto* index = std::get_if<std::size_t>(&step))
       text += fmt::format("[{}]", *index);
     else
@@ -151,8 +154,9 @@ Result<json> read_json(const std::filesystem::path& path, std::string (*describe
     const std::string why = means_no_number(word) ? fmt::format("{} is not a finite number", word)
                                                   : "is not JSON: " + reason(error.what());
     return fail(fmt::format("{}:{}: error: {}{}", path.string(), line, where(tracker.path()), why));
-  } catch (const json::exception& error) {
-    return fail(fmt::format("{}: error: {}{}", path.string(), where(tracker.path()), reason(error.what())));
+  } catch (const json::out_of_range& error) {
+    return fail(fmt::format("{}: error: {}{}", path.string(), where(tracker.path()),
+                            reason(error.what()) + ", expected a finite number"));
   }
 }
 

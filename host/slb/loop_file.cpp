@@ -14,6 +14,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kLongestValue = 60;  // of one that a message repeats
+
 /// "object 0, loop 1, vertex 2 (objects[0].loops[1][2])"; the path alone where it leads elsewhere.
 std::string describe(const JsonPath& path) {
   const auto key = [&](std::size_t at, const char* name) {
@@ -34,7 +36,8 @@ std::string describe(const JsonPath& path) {
 std::string kind_of(const json& value) {
   if (value.is_array()) return fmt::format("an array of {}", value.size());
   if (value.is_object()) return "an object";
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  return text.size() <= kLongestValue ? text : text.substr(0, kLongestValue) + "...";
 }
 
 /// Turns the tree into casters; the first fault ends it.
