@@ -41,6 +41,7 @@ constexpr std::array kVoxelBins{"shadow, facing away",
 
 /// Ops by name; everything the table does not have is "unknown".
 std::string op_name(std::uint8_t op) {
+  if (golden::slb::is_slb_op(op)) return "of the silhouette-line buffer";
   switch (static_cast<golden::Op>(op)) {
     case golden::Op::Nop:
       return "NOP";
@@ -61,13 +62,45 @@ std::string op_name(std::uint8_t op) {
 }
 
 constexpr std::array kOps{"NOP",        "SET_REGISTERS",  "CLEAR_PLANE",    "FENCE",
-                          "READ_PLANE", "PROJECT_VOXELS", "RESOLVE_VOXELS", "unknown"};
+                          "READ_PLANE", "PROJECT_VOXELS", "RESOLVE_VOXELS", "of the silhouette-line buffer",
+                          "unknown"};
+
+/// What decided an answer (docs/slb.md, "Query").
+std::string answer_bin(const golden::slb::QueryAnswer& answer) {
+  if (answer.off_plane) return "off the plane";
+  std::string bin = answer.by_full    ? (answer.by_lines ? "shadow by both" : "shadow by full depth")
+                    : answer.by_lines ? "shadow by lines"
+                                      : "lit";
+  if (answer.has_fragment) bin += ", with lines";
+  if (answer.overflow) bin += ", overflow";
+  return bin;
+}
+
+constexpr std::array kAnswerBins{"off the plane",
+                                 "lit",
+                                 "lit, with lines",
+                                 "lit, with lines, overflow",
+                                 "lit, overflow",
+                                 "shadow by full depth",
+                                 "shadow by full depth, with lines",
+                                 "shadow by full depth, with lines, overflow",
+                                 "shadow by full depth, overflow",
+                                 "shadow by lines, with lines",
+                                 "shadow by lines, with lines, overflow",
+                                 "shadow by both, with lines",
+                                 "shadow by both, with lines, overflow"};
+constexpr std::array<std::pair<std::uint32_t, const char*>, 3> kSlbSticky{
+    {{golden::slb::kStickyLineOverflow, "fence: line overflow"},
+     {golden::slb::kStickyObjectOverflow, "fence: object overflow"},
+     {golden::slb::kStickyWindingSaturated, "fence: winding saturated"}}};
 
 }  // namespace
 
 FunctionalBins::FunctionalBins() {
   for (const char* bin : kVoxelBins) expect(fmt::format("voxel: {}", bin));
-  for (int error = 1; error <= 5; ++error) expect(fmt::format("error {}", error));
+  for (const char* bin : kAnswerBins) expect(fmt::format("answer: {}", bin));
+  for (const auto& [bit, name] : kSlbSticky) expect(name);
+  for (int error = 1; error <= 6; ++error) expect(fmt::format("error {}", error));
   for (int sticky = 0; sticky < 8; ++sticky) expect(fmt::format("fence: sticky {:03b}", sticky));
   for (const bool present : {false, true}) expect(fmt::format("plane entry: present {:d}", present));
   for (const char* from : kOps) {
@@ -81,7 +114,12 @@ FunctionalBins::FunctionalBins() {
 }
 
 void FunctionalBins::add_results(std::span<const golden::Word> results) {
-  for (const golden::Word word : results) {
+  golden::ResultReader reader(results);
+  while (const auto result = reader.next()) {
+    const golden::Word word = result->word;
+    if (static_cast<std::uint8_t>(golden::result_code(word)) == golden::slb::kAnswerCode) {
+      count("answer: " + answer_bin(golden::slb::decode_answer(word)));
+    }
     switch (golden::result_code(word)) {
       case golden::ResultCode::VoxelState:
         count("voxel: " + voxel_bin(golden::decode_voxel_result(word)));
@@ -90,12 +128,19 @@ void FunctionalBins::add_results(std::span<const golden::Word> results) {
         count(fmt::format("error {}", golden::decode_error_result(word).error));
         break;
       case golden::ResultCode::Fence:
-        count(fmt::format("fence: sticky {:03b}", golden::decode_fence_result(word).sticky));
+        add_sticky(golden::decode_fence_result(word).sticky);
         break;
       case golden::ResultCode::PlaneEntry:
         count(fmt::format("plane entry: present {:d}", golden::decode_plane_entry_result(word).present));
         break;
     }
+  }
+}
+
+void FunctionalBins::add_sticky(std::uint32_t sticky) {
+  count(fmt::format("fence: sticky {:03b}", sticky & 7));
+  for (const auto& [bit, name] : kSlbSticky) {
+    if ((sticky & bit) != 0) count(name);
   }
 }
 

@@ -15,7 +15,8 @@ class FunctionalBins {
  public:
   FunctionalBins();
 
-  /// Kinds of answers: combinations of VOXEL_STATE fields, errors, sticky flags, plane entries.
+  /// Kinds of answers: combinations of VOXEL_STATE and SLB_ANSWER fields, errors, sticky flags, plane
+  /// entries.
   void add_results(std::span<const golden::Word> results);
   /// Kinds of commands, lengths, changes of kind from one command to the next.
   void add_stream(std::span<const golden::Word> stream, const golden::HardwareConfig& config);
@@ -25,6 +26,7 @@ class FunctionalBins {
   const std::map<std::string, std::uint64_t>& counts() const { return counts_; }
 
  private:
+  void add_sticky(std::uint32_t sticky);
   void expect(const std::string& bin) { counts_.try_emplace(bin, 0); }
   void count(const std::string& bin) { ++counts_[bin]; }
 

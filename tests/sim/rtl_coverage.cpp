@@ -18,17 +18,17 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kRandomStreams = 5;
 
-/// Each kind of hardware that the tests run: with and without resolve pass, with a slow and stalling plane.
+/// Each kind of hardware that the tests run: with and without resolve pass, with a slow and stalling plane,
+/// with the silhouette-line buffer.
 std::vector<std::pair<golden::HardwareConfig, RtlOptions>> hardware() {
-  golden::HardwareConfig with, without;
-  with.plane_log2 = without.plane_log2 = 6;
-  without.en_vpu_offset = false;
+  const golden::HardwareConfig with{.plane_log2 = 6}, without{.plane_log2 = 6, .en_vpu_offset = false},
+      slb{.plane_log2 = 6, .en_slb = true, .slb_plane_log2 = 5};
   RtlOptions plain = Cosim::checked();
   plain.coverage = true;
   RtlOptions slow = plain;
   slow.memory_latency = 3;
   slow.memory_stall_seed = 99;
-  return {{with, plain}, {with, slow}, {without, plain}};
+  return {{with, plain}, {with, slow}, {without, plain}, {slb, plain}, {slb, slow}};
 }
 
 void run_all(const fs::path& folder, CoverageCounts& points, FunctionalBins& bins) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Greedy pairwise covering: take the build that adds most pairs until none is missing.
+// Greedy pairwise covering: take the build that adds most pairs until none is missing. The units' parameters
+// are chosen one unit after the other, so that the candidates stay few.
 #include "tests/support/covering.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <tuple>
 
@@ -12,33 +13,110 @@ namespace gnomon::stimulus {
 namespace {
 
 using golden::HardwareConfig;
+using Configs = std::vector<HardwareConfig>;
 
 /// Two parameters and their values.
 using Pair = std::tuple<std::size_t, int, std::size_t, int>;
+using Pairs = std::set<Pair>;
 
-std::array<int, 7> values(const HardwareConfig& c) {
+std::vector<int> vpu_values(const HardwareConfig& c) {
   return {c.voxel_bits, c.voxel_frac_bits, c.normal_bits,  c.matrix_frac_bits,
           c.depth_bits, c.plane_log2,      c.en_vpu_offset};
 }
 
-std::vector<Pair> pairs(const HardwareConfig& config) {
-  const auto value = values(config);
-  std::vector<Pair> result;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    for (std::size_t j = i + 1; j < value.size(); ++j) result.emplace_back(i, value[i], j, value[j]);
+int fewest_subpixel_bits(const HardwareConfig& c) {
+  return std::max(c.frac_bits + 3, c.slope_bits - c.frac_bits + 4);
+}
+/// Of a coordinate: what the word and the range allow.
+int most_fraction_bits(const HardwareConfig& c) {
+  return std::min(16, (64 - c.depth_bits) / 2 - c.slb_plane_log2 - 2);
+}
+
+/// Fraction bits count as fewest or more; what they are depends on the others.
+std::vector<int> slb_values(const HardwareConfig& c) {
+  return {c.frac_bits,
+          c.slope_bits,
+          c.frags_per_pixel,
+          c.slb_plane_log2,
+          c.depth_bits,
+          c.subpixel_bits > fewest_subpixel_bits(c),
+          c.query_bits > c.frac_bits + 3,
+          static_cast<int>(c.slb_rounding)};
+}
+
+Pairs pairs(const std::vector<int>& values) {
+  Pairs result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t j = i + 1; j < values.size(); ++j) result.emplace(i, values[i], j, values[j]);
   }
   return result;
 }
 
-std::ptrdiff_t missing_pairs(const HardwareConfig& config, const std::set<Pair>& missing) {
-  const auto all = pairs(config);
-  return std::count_if(all.begin(), all.end(), [&](const Pair& pair) { return missing.contains(pair); });
+using Values = std::vector<int> (*)(const HardwareConfig&);
+
+/// What is still to be covered in one unit.
+class Missing {
+ public:
+  Missing(Values values, const Configs& candidates) : values_(values) {
+    for (const HardwareConfig& config : candidates) pairs_.merge(pairs(values(config)));
+  }
+  bool empty() const { return pairs_.empty(); }
+  void remove(const HardwareConfig& config) {
+    for (const Pair& pair : pairs(values_(config))) pairs_.erase(pair);
+  }
+  /// The first candidate among those that cover most.
+  HardwareConfig best(const Configs& candidates) const {
+    return *std::max_element(candidates.begin(), candidates.end(),
+                             [&](const auto& a, const auto& b) { return covers(a) < covers(b); });
+  }
+
+ private:
+  std::ptrdiff_t covers(const HardwareConfig& config) const {
+    const Pairs all = pairs(values_(config));
+    return std::count_if(all.begin(), all.end(), [&](const Pair& pair) { return pairs_.contains(pair); });
+  }
+
+  Values values_;
+  Pairs pairs_;
+};
+
+/// The projection unit of the one, the silhouette-line buffer of the other.
+HardwareConfig joined(HardwareConfig vpu, const HardwareConfig& slb) {
+  vpu.en_slb = true;
+  vpu.slb_plane_log2 = slb.slb_plane_log2;
+  vpu.frac_bits = slb.frac_bits;
+  vpu.slope_bits = slb.slope_bits;
+  vpu.frags_per_pixel = slb.frags_per_pixel;
+  vpu.subpixel_bits = slb.subpixel_bits;
+  vpu.query_bits = slb.query_bits;
+  vpu.slb_rounding = slb.slb_rounding;
+  return vpu;
+}
+
+Configs with_depth(const Configs& configs, int depth) {
+  Configs chosen;
+  std::copy_if(configs.begin(), configs.end(), std::back_inserter(chosen),
+               [&](const HardwareConfig& config) { return config.depth_bits == depth; });
+  return chosen;
+}
+
+void add_fraction_bits(Configs& configs, HardwareConfig config) {
+  const int most = most_fraction_bits(config);
+  for (const int subpixel : {fewest_subpixel_bits(config), most})
+    for (const int query : {config.frac_bits + 3, most})
+      for (const golden::slb::Rounding rounding :
+           {golden::slb::Rounding::Better, golden::slb::Rounding::Published}) {
+        config.subpixel_bits = subpixel;
+        config.query_bits = query;
+        config.slb_rounding = rounding;
+        if (!config.check()) configs.push_back(config);
+      }
 }
 
 }  // namespace
 
-std::vector<HardwareConfig> corner_configs() {
-  std::vector<HardwareConfig> configs;
+Configs corner_configs() {
+  Configs configs;
   for (const int voxel : {4, 8, 11})
     for (const int voxel_frac : {0, 2, 6})
       for (const int normal : {4, 9, 12})
@@ -52,21 +130,42 @@ std::vector<HardwareConfig> corner_configs() {
   return configs;
 }
 
-std::vector<HardwareConfig> covering_array() {
-  const auto candidates = corner_configs();
-  std::set<Pair> missing;
-  for (const HardwareConfig& config : candidates) {
-    for (const Pair& pair : pairs(config)) missing.insert(pair);
+Configs slb_corner_configs() {
+  Configs configs;
+  for (const int frac : {3, 7, 8})
+    for (const int slope : {3, 7, 9})
+      for (const int frags : {1, 2, 4})
+        for (const int plane : {3, 8, 9})
+          for (const int depth : {8, 20, 24}) {
+            HardwareConfig config;
+            config.en_slb = true;
+            config.frac_bits = frac;
+            config.slope_bits = slope;
+            config.frags_per_pixel = frags;
+            config.slb_plane_log2 = plane;
+            config.depth_bits = depth;
+            add_fraction_bits(configs, config);
+          }
+  return configs;
+}
+
+Configs covering_array() {
+  const Configs slb_candidates = slb_corner_configs(), vpu_candidates = corner_configs();
+  Missing vpu(vpu_values, vpu_candidates), slb(slb_values, slb_candidates);
+  Configs chosen;
+  const auto choose = [&](const HardwareConfig& config) {
+    chosen.push_back(config);
+    vpu.remove(config);
+    if (config.en_slb) slb.remove(config);
+  };
+  choose({});
+  choose({.en_slb = true});
+  choose({.en_vpu_offset = false});
+  while (!vpu.empty()) {
+    const HardwareConfig next = vpu.best(vpu_candidates);
+    choose(joined(next, slb.best(with_depth(slb_candidates, next.depth_bits))));
   }
-  std::vector<HardwareConfig> chosen;
-  HardwareConfig next;  // the default build
-  while (!missing.empty()) {
-    chosen.push_back(next);
-    for (const Pair& pair : pairs(next)) missing.erase(pair);
-    next = *std::max_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-      return missing_pairs(a, missing) < missing_pairs(b, missing);
-    });
-  }
+  while (!slb.empty()) choose(slb.best(slb_candidates));
   return chosen;
 }
 

@@ -7,11 +7,15 @@
 
 namespace gnomon::stimulus {
 
-/// Lowest, default and highest value of each parameter: every pair of values that some legal build has occurs
-/// in at least one of the returned builds. All are legal; the order is fixed, the first is the default build.
+/// Lowest, default and highest value of each parameter: every pair of values of one unit (DEPTH_BITS belongs
+/// to both) that some legal build has occurs in at least one of the returned builds. All are legal; the order
+/// is fixed, the first is the default build, the second the same with the silhouette-line buffer. The
+/// buffer's plane goes up to 2^9 a side: memory, not logic, is what grows beyond.
 std::vector<golden::HardwareConfig> covering_array();
 
-/// Every legal build of the values above; what covering_array() chooses from.
+/// Every legal build of the projection unit with the values above, without the silhouette-line buffer.
 std::vector<golden::HardwareConfig> corner_configs();
+/// Every legal silhouette-line buffer with the values above, beside a default projection unit of that depth.
+std::vector<golden::HardwareConfig> slb_corner_configs();
 
 }  // namespace gnomon::stimulus

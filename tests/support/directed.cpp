@@ -6,8 +6,10 @@
 #include <gnomon/golden/command.hpp>
 #include <gnomon/golden/stream.hpp>
 #include <span>
+#include <utility>
 
 #include "tests/support/scene_registers.hpp"
+#include "tests/support/slb_directed.hpp"
 #include "tests/support/stimulus.hpp"
 #include "tests/support/voxel_patterns.hpp"
 
@@ -265,6 +267,8 @@ std::vector<DirectedStream> directed_streams(const HardwareConfig& config) {
   streams.push_back({"reads", read_stream(config)});
   streams.push_back({"empty_commands", empty_stream(config)});
   streams.push_back({"errors", error_stream(config)});
+  if (!config.en_slb) return streams;
+  for (DirectedStream& stream : slb_directed_streams(config)) streams.push_back(std::move(stream));
   return streams;
 }
 

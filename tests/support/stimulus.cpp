@@ -7,11 +7,13 @@
 #include <gnomon/golden/command.hpp>
 #include <gnomon/golden/stream.hpp>
 #include <gnomon/golden/vpu.hpp>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "tests/support/random.hpp"
 #include "tests/support/scene_registers.hpp"
+#include "tests/support/slb_source.hpp"
 #include "tests/support/voxel_patterns.hpp"
 
 namespace gnomon::stimulus {
@@ -27,7 +29,9 @@ using golden::Word;
 class Walk {
  public:
   Walk(const HardwareConfig& config, const Options& options)
-      : config_(config), options_(options), random_(options.seed), writer_(config) {}
+      : config_(config), options_(options), random_(options.seed), writer_(config) {
+    if (config.en_slb) slb_.emplace(config, options.seed, options.max_items, options.illegal_percent);
+  }
 
   std::vector<Word> run() {
     set_all_registers();
@@ -46,6 +50,7 @@ class Walk {
   void read_plane();
   void nop();
   void raw_voxels();
+  void slb();
   void illegal();
   void random_header();
 
@@ -69,6 +74,7 @@ class Walk {
   Options options_;
   Random random_;
   golden::StreamWriter writer_;
+  std::optional<SlbSource> slb_;
   std::vector<Word> words_;
   RegisterValues registers_{};
   std::vector<VoxelItem> projected_;  ///< lately; what a resolve is about
@@ -76,6 +82,7 @@ class Walk {
 
 void Walk::step() {
   if (random_.chance(options_.illegal_percent)) return illegal();
+  if (slb_ && random_.chance(50)) return slb();
   const std::int64_t kind = random_.between(0, 99);
   if (kind < 35) return project();
   if (kind < 70) return resolve();
@@ -151,6 +158,15 @@ void Walk::raw_voxels() {
   if (config_.en_vpu_offset) raw({static_cast<std::uint8_t>(Op::ResolveVoxels), 1, count, any_arg()});
 }
 
+/// A few of the buffer's commands; an object is cut anywhere.
+void Walk::slb() {
+  flush();
+  for (std::int64_t left = random_.between(1, 6); left > 0; --left) {
+    const std::vector<Word> words = slb_->next();
+    words_.insert(words_.end(), words.begin(), words.end());
+  }
+}
+
 void Walk::illegal() {
   const std::uint16_t count = few();
   const std::uint32_t arg = any_arg();
@@ -174,8 +190,9 @@ void Walk::illegal() {
 
 /// Any op in or near the table, any flags, a short list, any argument: for the order of errors.
 void Walk::random_header() {
-  static constexpr std::array<std::uint8_t, 10> kOps{0x00, 0x01, 0x02, 0x03, 0x04,
-                                                     0x10, 0x11, 0x05, 0x12, 0xFF};
+  static constexpr std::array<std::uint8_t, 20> kOps{0x00, 0x01, 0x02, 0x03, 0x04, 0x10, 0x11,
+                                                     0x05, 0x12, 0xFF, 0x20, 0x21, 0x22, 0x23,
+                                                     0x24, 0x25, 0x26, 0x27, 0x28, 0x1F};
   const std::uint8_t op = random_.pick(std::span<const std::uint8_t>(kOps));
   const auto flags =
       static_cast<std::uint8_t>(random_.chance(50) ? random_.between(0, 255) : random_.between(0, 1));

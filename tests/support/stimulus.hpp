@@ -19,7 +19,9 @@ struct Options {
 };
 
 /// A random stream: registers, projections, resolves of what was projected and of other voxels, clears,
-/// fences, reads, NOPs and commands in error. It always ends with a FENCE. `config` must be legal.
+/// fences, reads, NOPs and commands in error; with EN_SLB as many commands of the silhouette-line buffer,
+/// objects and queries in their sequence, with the others between them. It always ends with a FENCE. `config`
+/// must be legal.
 std::vector<golden::Word> random_stream(const golden::HardwareConfig& config, const Options& options);
 
 struct DirectedStream {

@@ -23,7 +23,7 @@ struct StimulusOptions {
   int objects = 6;            ///< at most; at least one
   int queries = 200;          ///< in the whole stream, most of them on or near outlines
   double error_share = 0.05;  ///< of commands put in between that must be answered by an error
-  bool read_back = true;      ///< read the plane's entries at the end (the first 256)
+  bool read_back = true;      ///< read up to 256 of the plane's entries at the end, where something was drawn
 };
 
 /// The same seed and configuration give the same stream.
