@@ -116,6 +116,7 @@ class VerifyCommand : public Command {
   Result<void> write_junit(const std::vector<Verdict>& verdicts) const {
     if (junit_.empty()) return {};
     std::vector<TestCase> cases;
+    cases.reserve(verdicts.size());
     for (const Verdict& v : verdicts) {
       cases.push_back({v.name, v.seconds, v.report.passed() ? "" : sim::to_text(v.report)});
     }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <set>
 namespace gnomon::config {
 
 Result<Assignment> parse_set_flag(std::string_view flag) {
@@ -42,6 +44,8 @@ Result<Settings> Settings::resolve(std::span<const std::vector<Assignment>> weak
   for (const Parameter& parameter : parameters()) {
     settings.entries_[std::string(parameter.key)] = {parameter.preset, "default"};
   }
+  // Not by their origin: a subcommand's own default is called "default" too.
+  std::set<std::string, std::less<>> assigned;
   for (const std::vector<Assignment>& source : weakest_first) {
     for (const Assignment& assignment : source) {
       const Result<const Parameter*> parameter = find_parameter(assignment.key);
@@ -49,11 +53,12 @@ Result<Settings> Settings::resolve(std::span<const std::vector<Assignment>> weak
       Result<Value> value = (*parameter)->parse(assignment.text);
       if (!value) return fail(assignment.origin + ": error: " + value.error().message);
       settings.entries_[assignment.key] = {std::move(*value), assignment.origin};
+      assigned.insert(assignment.key);
     }
   }
   for (const Parameter& parameter : parameters()) {
-    Entry& entry = settings.entries_.at(std::string(parameter.key));
-    if (entry.origin == "default") entry = settings.default_of(parameter);
+    if (assigned.contains(parameter.key)) continue;
+    settings.entries_.at(std::string(parameter.key)) = settings.default_of(parameter);
   }
   return settings;
 }

@@ -94,6 +94,13 @@ TEST(Parse, ReadsVectors) {
   EXPECT_THAT(refusal("light", "inf,0,0"), HasSubstr("not a finite number"));
 }
 
+TEST(Resolve, ASubcommandsOwnDefaultStays) {
+  const std::vector<std::vector<Assignment>> sources{{{"ground", "off", "default"}}, {}};
+  const auto settings = Settings::resolve(sources);
+  ASSERT_TRUE(settings);
+  EXPECT_FALSE(settings->is_on("ground"));
+}
+
 TEST(Find, NamesTheNearestKey) {
   EXPECT_EQ(refusal("rse", "1"), "unknown key 'rse', did you mean 'res'?");
   EXPECT_EQ(refusal("depth_bit", "1"), "unknown key 'depth_bit', did you mean 'depth_bits'?");
