@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <set>
+
 namespace gnomon::config {
 
 Result<Assignment> parse_set_flag(std::string_view flag) {
