@@ -2,17 +2,19 @@
 // Event and cycle counters with one read port (docs/command-stream.md, "Counters"; indices in gnomon_pkg).
 
 module counters #(
-  parameter bit EN_SLB = 1'b0
+  parameter bit EN_VPU_TOPOLOGY = 1'b0,
+  parameter bit EN_SLB          = 1'b0
 ) (
-  input  logic                    clk_i,
-  input  logic                    rst_ni,
-  input  gnomon_pkg::events_t     events_i,
-  input  gnomon_pkg::slb_events_t slb_events_i,
-  input  gnomon_pkg::sticky_t     sticky_i,
-  input  logic [3:0]              pass_i,
-  input  logic [2:0]              cause_i,
-  input  logic [6:0]              index_i,
-  output logic [63:0]             value_o
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+  input  gnomon_pkg::events_t            events_i,
+  input  topology_pkg::topology_events_t topology_events_i,
+  input  gnomon_pkg::slb_events_t        slb_events_i,
+  input  gnomon_pkg::sticky_t            sticky_i,
+  input  logic [3:0]                     pass_i,
+  input  logic [2:0]                     cause_i,
+  input  logic [6:0]                     index_i,
+  output logic [63:0]                    value_o
 );
 
   // ---- Events ----
@@ -76,6 +78,20 @@ module counters #(
     assign slb_value  = '0;
   end
 
+  // ---- Events of topology mode ----
+  logic [6:0]  topology_number;
+  logic [63:0] topology_value;
+  assign topology_number = index_i - gnomon_pkg::COUNTER_TOPOLOGY;
+  if (EN_VPU_TOPOLOGY) begin : gen_topology
+    topology_counters u_topology (
+      .clk_i, .rst_ni, .events_i(topology_events_i), .number_i(topology_number), .value_o(topology_value)
+    );
+  end else begin : gen_no_topology
+    logic unused_topology;
+    assign unused_topology = ^{topology_events_i, topology_number};
+    assign topology_value  = '0;
+  end
+
   // ---- Read port ----
   logic [6:0]           offset;
   logic [CELL_BITS-1:0] cell_read;
@@ -99,7 +115,7 @@ module counters #(
       gnomon_pkg::COUNTER_RESOLVED_SHADOW:       value_o = shadow_q;
       gnomon_pkg::COUNTER_STICKY:                value_o = 64'(sticky_i);
       default: begin
-        if (!is_cell)                   value_o = slb_value;
+        if (!is_cell)                   value_o = slb_value | topology_value;  // at most one exists
         else if (counted_q[cell_read])  value_o = cycles_q[cell_read];
         else                            value_o = '0;
       end

@@ -102,7 +102,9 @@ package gnomon_pkg;
     logic       winding_saturated;
     logic       object_overflow;
     logic       line_overflow;
-    logic [4:0] zero;
+    logic [2:0] zero;
+    logic       quad_off_plane;
+    logic       list_overflow;
     logic       depth_saturated;
     logic       off_plane;
     logic       error_seen;
@@ -310,6 +312,7 @@ package gnomon_pkg;
   localparam logic [6:0] COUNTER_RESOLVED_SHADOW       = 7'd10;
   localparam logic [6:0] COUNTER_STICKY                = 7'd11;
   localparam logic [6:0] COUNTER_SLB                   = 7'd16;  // + number in the order of slb_events_t
+  localparam logic [6:0] COUNTER_TOPOLOGY              = 7'd40;  // + number in the order of topology_events_t
   localparam logic [6:0] COUNTER_CYCLES                = 7'd64;  // + 6 * pass + cause
   localparam int unsigned SLB_COUNTER_COUNT = 23;
 

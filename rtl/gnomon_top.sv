@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gnomon: command stream in, result stream out (docs/command-stream.md). Holds the command decoder, the voxel projection
-// unit with the plane memory, the silhouette-line buffer and the counters.
+// unit with the plane memory, its topology mode, the silhouette-line buffer and the counters.
 
 `include "assertions.svh"
 
@@ -12,6 +12,12 @@ module gnomon_top #(
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
   parameter bit          EN_VPU_OFFSET    = 1'b1,
+  // Topology mode (docs/vpu-topology.md), with memories of its own.
+  parameter bit          EN_VPU_TOPOLOGY  = 1'b0,
+  parameter int unsigned SUB_BITS         = 4,
+  parameter int unsigned SPAN_LOG2        = 4,
+  parameter int unsigned NODES_LOG2       = 20,
+  parameter int unsigned QUADS_LOG2       = 18,
   // The silhouette-line buffer (docs/slb.md), with a plane of its own.
   parameter bit          EN_SLB           = 1'b0,
   parameter int unsigned SLB_PLANE_LOG2   = 8,
@@ -36,7 +42,7 @@ module gnomon_top #(
   input  logic        res_ready_i,
   output logic [63:0] res_data_o,
   // Counters, combinational: 0..10 events, 11 sticky flags, 16..38 events of the silhouette-line buffer,
-  // 64 + 6 pass + cause cycles.
+  // 40..54 of topology mode, 64 + 6 pass + cause cycles.
   input  logic [6:0]  counter_index_i,
   output logic [63:0] counter_value_o,
   // Nothing under way and nothing buffered: without another word nothing more will happen. Also between the items of a
@@ -46,8 +52,9 @@ module gnomon_top #(
 
   parameter_check #(
     .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
-    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_SLB(EN_SLB),
-    .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
+    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
+    .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
+    .QUADS_LOG2(QUADS_LOG2), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
     .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS),
     .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(MEM_LATENCY),
     .MEM_STALL_SEED(MEM_STALL_SEED)
@@ -78,6 +85,12 @@ module gnomon_top #(
   logic [63:0]             slb_result;
   gnomon_pkg::slb_events_t slb_events;
 
+  // ---- Topology mode ----
+  logic                           topology_start, topology_item_valid, topology_item_ready, topology_idle, topology_step;
+  logic                           topology_wait, topology_valid, topology_clipped;
+  logic [63:0]                    topology_result;
+  topology_pkg::topology_events_t topology_events;
+
   // ---- Decoder ----
   logic                                       register_write, item_valid, item_ready, item_resolve, item_two_sided;
   logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index;
@@ -93,24 +106,54 @@ module gnomon_top #(
   logic [3:0]                                 pass;
   logic [2:0]                                 cause;
   command_decoder #(
-    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_SLB(EN_SLB),
+    .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_decoder (
     .clk_i, .rst_ni, .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
     .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_valid),
     .item_ready_i(item_ready), .item_resolve_o(item_resolve), .item_two_sided_o(item_two_sided),
-    .vpu_idle_i(vpu_idle), .slb_start_o(slb_start), .slb_item_valid_o(slb_item_valid),
+    .vpu_idle_i(vpu_idle), .topology_start_o(topology_start), .topology_item_valid_o(topology_item_valid),
+    .topology_item_ready_i(topology_item_ready), .topology_idle_i(topology_idle), .topology_step_i(topology_step),
+    .topology_wait_i(topology_wait), .slb_start_o(slb_start), .slb_item_valid_o(slb_item_valid),
     .slb_item_ready_i(slb_item_ready), .slb_close_valid_o(slb_close_valid), .slb_close_ready_i(slb_close_ready),
     .slb_idle_i(slb_idle), .slb_step_i(slb_step), .slb_wait_i(slb_wait), .plane_idle_i(plane_idle), .clear_valid_o(clear_valid), .clear_ready_i(clear_ready),
     .clear_last_i(clear_last), .read_start_o(read_start), .read_first_o(read_first),
     .read_count_minus1_o(read_count_minus1), .reading_o(reading), .read_step_i(read_step), .read_last_i(read_last),
     .result_valid_o(decoder_valid), .result_ready_i(result_ready), .result_o(decoder_result),
-    .off_plane_i(off_plane), .saturated_i(saturated),
+    .off_plane_i(off_plane), .saturated_i(saturated || topology_events.quad_saturated),
+    .list_overflow_i(topology_events.node_dropped), .quad_off_plane_i(topology_clipped),
     .line_overflow_i(slb_events.chain_dropped || slb_events.chain_reduced),
     .object_overflow_i(slb_events.group_evicted), .winding_saturated_i(slb_events.winding_saturated), .sticky_o(sticky),
     .output_blocked_i(result_valid && !result_ready), .pass_o(pass), .cause_o(cause),
     .command_o(events.command), .error_o(events.error), .quiet_o(quiet)
   );
   assign idle_o = quiet && !res_valid_o;
+
+  if (EN_VPU_TOPOLOGY) begin : gen_topology
+    topology #(
+      .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
+      .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS),
+      .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(LATENCY),
+      .MEM_STALL_SEED(MEM_STALL_SEED)
+    ) u_topology (
+      .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index),
+      .start_i(topology_start), .item_valid_i(topology_item_valid), .item_ready_o(topology_item_ready), .word_i(word),
+      .result_valid_o(topology_valid), .result_ready_i(result_ready), .result_o(topology_result),
+      .idle_o(topology_idle), .step_o(topology_step), .wait_o(topology_wait), .clipped_o(topology_clipped),
+      .events_o(topology_events)
+    );
+  end else begin : gen_no_topology
+    assign topology_item_ready = 1'b1;
+    assign topology_valid      = 1'b0;
+    assign topology_result     = '0;
+    assign topology_idle       = 1'b1;
+    assign topology_step       = 1'b0;
+    assign topology_wait       = 1'b0;
+    assign topology_clipped    = 1'b0;
+    assign topology_events     = '0;
+    logic unused_topology;
+    assign unused_topology = ^{topology_start, topology_item_valid};
+  end
 
   if (EN_SLB) begin : gen_slb
     slb #(
@@ -234,12 +277,13 @@ module gnomon_top #(
   );
 
   // ---- Results: a change of kind is a barrier, so that one source speaks at a time and command order is kept ----
-  assign result_valid = decoder_valid || reader_valid || slb_valid || vpu_valid;
+  assign result_valid = decoder_valid || reader_valid || topology_valid || slb_valid || vpu_valid;
   always_comb begin
-    if (decoder_valid)     result = decoder_result;
-    else if (reader_valid) result = reader_result;
-    else if (slb_valid)    result = slb_result;
-    else                   result = vpu_result;
+    if (decoder_valid)       result = decoder_result;
+    else if (reader_valid)   result = reader_result;
+    else if (topology_valid) result = topology_result;
+    else if (slb_valid)      result = slb_result;
+    else                     result = vpu_result;
   end
 
   // ---- Counters ----
@@ -252,12 +296,13 @@ module gnomon_top #(
   assign events.resolved_uncertain    = vpu_given && vpu_result.uncertain;
   assign events.resolved_offset_empty = vpu_given && vpu_result.offset_empty;
   assign events.resolved_shadow       = vpu_given && vpu_result.state == gnomon_pkg::STATE_SHADOW;
-  counters #(.EN_SLB(EN_SLB)) u_counters (
-    .clk_i, .rst_ni, .events_i(events), .slb_events_i(slb_events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause),
-    .index_i(counter_index_i), .value_o(counter_value_o)
+  counters #(.EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_SLB(EN_SLB)) u_counters (
+    .clk_i, .rst_ni, .events_i(events), .topology_events_i(topology_events), .slb_events_i(slb_events),
+    .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
   );
 
-  `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(slb_valid) + 3'(vpu_valid) <= 3'd1)
+  `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(topology_valid) + 3'(slb_valid) +
+                 3'(vpu_valid) <= 3'd1)
   `GNOMON_ASSERT(a_reader_alone, !reader_busy || (reading && vpu_idle))
   `GNOMON_ASSERT_STREAM(a_result_stable, res_valid_o, res_ready_i, res_data_o)
 

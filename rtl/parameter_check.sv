@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md and docs/slb.md,
-// "Parameters"); those of the silhouette-line buffer only where it is built.
+// Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md, docs/vpu-topology.md
+// and docs/slb.md, "Parameters"); those of topology mode and of the silhouette-line buffer only where they are built.
 
 module parameter_check #(
   parameter int unsigned VOXEL_BITS       = 8,
@@ -9,6 +9,11 @@ module parameter_check #(
   parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
+  parameter bit          EN_VPU_TOPOLOGY  = 1'b0,
+  parameter int unsigned SUB_BITS         = 4,
+  parameter int unsigned SPAN_LOG2        = 4,
+  parameter int unsigned NODES_LOG2       = 20,
+  parameter int unsigned QUADS_LOG2       = 18,
   parameter bit          EN_SLB           = 1'b0,
   parameter int unsigned SLB_PLANE_LOG2   = 8,
   parameter int unsigned FRAC_BITS        = 7,
@@ -46,6 +51,17 @@ module parameter_check #(
     $error("MEM_LATENCY is out of range 1..64");
   if (MEM_STALL_SEED > 65535)
     $error("MEM_STALL_SEED is out of range 0..65535");
+
+  if (EN_VPU_TOPOLOGY) begin : gen_topology
+    if (SUB_BITS < 2 || SUB_BITS > 8)
+      $error("SUB_BITS is out of range 2..8");
+    if (SPAN_LOG2 < 2 || SPAN_LOG2 > 6)
+      $error("SPAN_LOG2 is out of range 2..6");
+    if (NODES_LOG2 < 4 || NODES_LOG2 > 24)
+      $error("NODES_LOG2 is out of range 4..24");
+    if (QUADS_LOG2 < 4 || QUADS_LOG2 > 24)
+      $error("QUADS_LOG2 is out of range 4..24");
+  end
 
   if (EN_SLB) begin : gen_slb
     if (FRAC_BITS < 3 || FRAC_BITS > 8)

@@ -44,6 +44,13 @@ inline constexpr std::array<std::string_view, 23> kSlbEventNames{"SLB_OBJECTS",
                                                                  "SLB_QUERIES_OFF_PLANE",
                                                                  "SLB_QUERIES_OVERFLOW"};
 
+/// Event counters of topology mode: index kFirstTopologyCounter + number here; 0 in hardware without.
+inline constexpr std::uint32_t kFirstTopologyCounter = 40;
+inline constexpr std::array<std::string_view, 15> kTopologyEventNames{
+    "QUADS_PUT",     "QUADS_OFF_PLANE",   "QUADS_TOO_LARGE",      "QUADS_SATURATED",    "NODES_LINKED",
+    "NODES_DROPPED", "TOPOLOGY_RESOLVED", "TOPOLOGY_FACING_AWAY", "TOPOLOGY_OFF_PLANE", "TOPOLOGY_UNCERTAIN",
+    "TOPOLOGY_HIT",  "TOPOLOGY_FALLBACK", "TOPOLOGY_SHADOW",      "NODES_VISITED",      "QUADS_TESTED"};
+
 /// Cycle counters: index kFirstCycleCounter + kCauses * pass + cause.
 inline constexpr std::uint32_t kFirstCycleCounter = 64;
 inline constexpr std::array<std::string_view, 10> kPassNames{"IDLE", "CONTROL", "CLEAR", "PROJECT", "RESOLVE",

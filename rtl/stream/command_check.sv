@@ -3,10 +3,11 @@
 // Combinational.
 
 module command_check #(
-  parameter int unsigned PLANE_LOG2     = 9,
-  parameter bit          EN_VPU_OFFSET  = 1'b1,
-  parameter bit          EN_SLB         = 1'b0,
-  parameter int unsigned SLB_PLANE_LOG2 = 8
+  parameter int unsigned PLANE_LOG2      = 9,
+  parameter bit          EN_VPU_OFFSET   = 1'b1,
+  parameter bit          EN_VPU_TOPOLOGY = 1'b0,
+  parameter bit          EN_SLB          = 1'b0,
+  parameter int unsigned SLB_PLANE_LOG2  = 8
 ) (
   input  gnomon_pkg::header_t header_i,
   input  logic                allowed_i,  // by the state of the silhouette-line buffer
@@ -34,7 +35,7 @@ module command_check #(
   end
 
   assign absent = (!EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS) ||
-                  gnomon_pkg::is_topology_op(header_i.op) ||
+                  (!EN_VPU_TOPOLOGY && gnomon_pkg::is_topology_op(header_i.op)) ||
                   (!EN_SLB && gnomon_pkg::is_slb_op(header_i.op));
 
   // The sum of the numbers: 33 bits, so that it does not wrap.
@@ -49,9 +50,11 @@ module command_check #(
   assign has_items = header_i.count != '0;
   always_comb begin
     case (header_i.op)
-      gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_FENCE, gnomon_pkg::OP_SLB_CLEAR, gnomon_pkg::OP_BEGIN_OBJECT,
-      gnomon_pkg::OP_FILL, gnomon_pkg::OP_END_OBJECT: bad_argument = has_items;
-      gnomon_pkg::OP_READ_PLANE:                      bad_argument = has_items || last_read > LAST_ENTRY;
+      gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_FENCE, gnomon_pkg::OP_CLEAR_LISTS, gnomon_pkg::OP_SLB_CLEAR,
+      gnomon_pkg::OP_BEGIN_OBJECT, gnomon_pkg::OP_FILL, gnomon_pkg::OP_END_OBJECT: bad_argument = has_items;
+      gnomon_pkg::OP_PUT_QUADS:                       bad_argument = header_i.count[1:0] != '0;  // whole quads
+      gnomon_pkg::OP_READ_PLANE, gnomon_pkg::OP_READ_LISTS:
+                                                      bad_argument = has_items || last_read > LAST_ENTRY;
       gnomon_pkg::OP_READ_ENTRIES:                    bad_argument = has_items || last_read > LAST_SLB_ENTRY;
       default:                                        bad_argument = 1'b0;
     endcase

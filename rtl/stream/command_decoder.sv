@@ -5,10 +5,11 @@
 `include "assertions.svh"
 
 module command_decoder #(
-  parameter int unsigned PLANE_LOG2     = 9,
-  parameter bit          EN_VPU_OFFSET  = 1'b1,
-  parameter bit          EN_SLB         = 1'b0,
-  parameter int unsigned SLB_PLANE_LOG2 = 8
+  parameter int unsigned PLANE_LOG2      = 9,
+  parameter bit          EN_VPU_OFFSET   = 1'b1,
+  parameter bit          EN_VPU_TOPOLOGY = 1'b0,
+  parameter bit          EN_SLB          = 1'b0,
+  parameter int unsigned SLB_PLANE_LOG2  = 8
 ) (
   input  logic                                       clk_i,
   input  logic                                       rst_ni,
@@ -24,6 +25,13 @@ module command_decoder #(
   output logic                                       item_resolve_o,
   output logic                                       item_two_sided_o,
   input  logic                                       vpu_idle_i,
+  // Topology mode.
+  output logic                                       topology_start_o,  // a good command of its own is taken: word_i
+  output logic                                       topology_item_valid_o,  // item of that command: word_i
+  input  logic                                       topology_item_ready_i,
+  input  logic                                       topology_idle_i,
+  input  logic                                       topology_step_i,   // it did one step
+  input  logic                                       topology_wait_i,   // it waits for its memories
   // Silhouette-line buffer.
   output logic                                       slb_start_o,      // a good command of its own is taken: word_i
   output logic                                       slb_item_valid_o, // item of that command: word_i
@@ -51,6 +59,8 @@ module command_decoder #(
   // Events that raise sticky flags.
   input  logic                                       off_plane_i,
   input  logic                                       saturated_i,
+  input  logic                                       list_overflow_i,
+  input  logic                                       quad_off_plane_i,
   input  logic                                       line_overflow_i,
   input  logic                                       object_overflow_i,
   input  logic                                       winding_saturated_i,
@@ -67,7 +77,7 @@ module command_decoder #(
   typedef enum logic [3:0] {
     StHeader, StItems, StSkip, StResult, StClear, StScrub, StRead,
     StClose,  // the end of a loop is handed over
-    StUnit    // the silhouette-line buffer clears, fills or reads
+    StUnit    // topology mode or the silhouette-line buffer clears, fills or reads
   } state_e;
 
   state_e              state_q, state_d;
@@ -80,26 +90,31 @@ module command_decoder #(
 
   logic allowed, good, take_header;
   command_check #(
-    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_SLB(EN_SLB),
+    .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_check (.header_i(header), .allowed_i(allowed), .error_o(error));
   assign good = error == gnomon_pkg::ERROR_NONE;
   slb_sequence u_sequence (.clk_i, .rst_ni, .header_i(header), .take_i(take_header && good), .allowed_o(allowed));
 
   // ---- Headers: a barrier unless the same pass goes on ----
-  logic drained, streams, same_pass;
-  assign drained     = vpu_idle_i && plane_idle_i && slb_idle_i;
+  logic units_idle, drained, streams, same_pass;
+  assign units_idle  = topology_idle_i && slb_idle_i;
+  assign drained     = vpu_idle_i && plane_idle_i && units_idle;
   assign streams     = header.op == gnomon_pkg::OP_PROJECT_VOXELS || header.op == gnomon_pkg::OP_RESOLVE_VOXELS ||
+                       header.op == gnomon_pkg::OP_PUT_QUADS || header.op == gnomon_pkg::OP_RESOLVE_TOPOLOGY ||
                        header.op == gnomon_pkg::OP_LOOP || header.op == gnomon_pkg::OP_COVER ||
                        header.op == gnomon_pkg::OP_QUERY;
   assign same_pass   = good && streams && header.op == command_q.op;
   assign take_header = state_q == StHeader && word_valid_i && (drained || same_pass || mutations_pkg::SKIP_BARRIER);
 
   // ---- Items ----
-  logic to_vpu, to_registers, to_slb, item_free, take_item, last_item;
+  logic to_vpu, to_topology, to_registers, to_slb, item_free, take_item, last_item;
   assign to_registers = state_q == StItems && command_q.op == gnomon_pkg::OP_SET_REGISTERS;
   assign to_slb       = state_q == StItems && gnomon_pkg::is_slb_op(command_q.op);
-  assign to_vpu       = state_q == StItems && !to_registers && !to_slb;
-  assign item_free    = state_q == StSkip || to_registers || (to_vpu && item_ready_i) || (to_slb && slb_item_ready_i);
+  assign to_topology  = state_q == StItems && gnomon_pkg::is_topology_op(command_q.op);
+  assign to_vpu       = state_q == StItems && !to_registers && !to_slb && !to_topology;
+  assign item_free    = state_q == StSkip || to_registers || (to_vpu && item_ready_i) ||
+                        (to_topology && topology_item_ready_i) || (to_slb && slb_item_ready_i);
   assign take_item    = word_valid_i && item_free;
   assign last_item    = take_item && command_q.count == 16'd1;
   assign word_ready_o = take_header || take_item;
@@ -109,6 +124,9 @@ module command_decoder #(
   assign item_two_sided_o = (command_q.flags & gnomon_pkg::RESOLVE_TWO_SIDED) != '0;
   assign register_write_o = to_registers && word_valid_i;
   assign register_index_o = command_q.arg[gnomon_pkg::REGISTER_INDEX_BITS-1:0];
+
+  assign topology_start_o      = take_header && good && gnomon_pkg::is_topology_op(header.op);
+  assign topology_item_valid_o = to_topology && word_valid_i;
 
   assign slb_start_o       = take_header && good && gnomon_pkg::is_slb_op(header.op);
   assign slb_item_valid_o  = to_slb && word_valid_i;
@@ -158,6 +176,7 @@ module command_decoder #(
               gnomon_pkg::OP_CLEAR_PLANE: state_d = StClear;
               gnomon_pkg::OP_FENCE:       state_d = StResult;
               gnomon_pkg::OP_READ_PLANE:  state_d = StRead;
+              gnomon_pkg::OP_CLEAR_LISTS, gnomon_pkg::OP_READ_LISTS,
               gnomon_pkg::OP_SLB_CLEAR, gnomon_pkg::OP_FILL, gnomon_pkg::OP_READ_ENTRIES: state_d = StUnit;
               gnomon_pkg::OP_NOP:         state_d = (header.count == '0) ? StHeader : StSkip;
               default: begin
@@ -170,10 +189,10 @@ module command_decoder #(
       end
       StItems, StSkip: if (last_item) state_d = closes_command ? StClose : StHeader;
       StClose:         if (slb_close_ready_i) state_d = StHeader;
-      StUnit:          if (slb_idle_i) state_d = StHeader;
+      StUnit:          if (units_idle) state_d = StHeader;
       StResult:        if (give) state_d = (is_error && command_q.count != '0) ? StSkip : StHeader;
       StClear:         if (clear_ready_i) state_d = StScrub;
-      StScrub:         if ((clear_last_i || plane_idle_i) && slb_idle_i) state_d = StHeader;
+      StScrub:         if ((clear_last_i || plane_idle_i) && units_idle) state_d = StHeader;
       StRead:          if (read_last_i) state_d = StHeader;
       default:         state_d = StHeader;
     endcase
@@ -211,6 +230,8 @@ module command_decoder #(
       if (error_o)     sticky_q.error_seen      <= 1'b1;
       if (off_plane_i) sticky_q.off_plane       <= !mutations_pkg::LOSE_STICKY;
       if (saturated_i) sticky_q.depth_saturated <= 1'b1;
+      if (list_overflow_i)     sticky_q.list_overflow     <= 1'b1;
+      if (quad_off_plane_i)    sticky_q.quad_off_plane    <= 1'b1;
       if (line_overflow_i)     sticky_q.line_overflow     <= 1'b1;
       if (object_overflow_i)   sticky_q.object_overflow   <= 1'b1;
       if (winding_saturated_i) sticky_q.winding_saturated <= 1'b1;
@@ -222,23 +243,26 @@ module command_decoder #(
   assign quiet_o   = !word_valid_i && drained && (state_q == StHeader || state_q == StItems || state_q == StSkip);
 
   // ---- Accounting ----
-  logic stepped, starved;
+  logic stepped, starved, unit_step, unit_wait;
+  assign unit_step = topology_step_i || slb_step_i;
+  assign unit_wait = topology_wait_i || slb_wait_i;
   always_comb begin
     case (state_q)
-      StHeader:        stepped = take_header || slb_step_i;
-      StItems, StSkip: stepped = take_item || slb_step_i;
+      StHeader:        stepped = take_header || unit_step;
+      StItems, StSkip: stepped = take_item || unit_step;
       StResult:        stepped = give;
       StClear:         stepped = clear_ready_i;
       StScrub:         stepped = 1'b1;
       StClose:         stepped = slb_close_ready_i || slb_step_i;
-      StUnit:          stepped = slb_step_i;
+      StUnit:          stepped = unit_step;
       default:         stepped = read_step_i;
     endcase
   end
-  // Where another word would have been taken: the pipelines are not held up. The silhouette-line buffer says itself what
-  // it waits for.
+  // Where another word would have been taken: the pipelines are not held up. Topology mode and the silhouette-line buffer
+  // say themselves what they wait for.
   always_comb begin
-    if (gnomon_pkg::is_slb_op(command_q.op) && state_q != StUnit) starved = !slb_wait_i;
+    if ((gnomon_pkg::is_slb_op(command_q.op) || gnomon_pkg::is_topology_op(command_q.op)) && state_q != StUnit)
+      starved = !unit_wait;
     else starved = item_free || (state_q == StHeader && item_ready_i);
   end
   cycle_account u_account (
@@ -248,6 +272,7 @@ module command_decoder #(
   );
 
   `GNOMON_ASSERT_STREAM(a_item_stable, item_valid_o, item_ready_i, {word_i, item_resolve_o, item_two_sided_o})
+  `GNOMON_ASSERT_STREAM(a_topology_item_stable, topology_item_valid_o, topology_item_ready_i, word_i)
   `GNOMON_ASSERT_STREAM(a_slb_item_stable, slb_item_valid_o, slb_item_ready_i, word_i)
   `GNOMON_ASSERT_STREAM(a_result_stable, result_valid_o, result_ready_i, result_o)
   `GNOMON_ASSERT(a_register_exists, !register_write_o || command_q.arg < 32'(gnomon_pkg::REGISTER_COUNT))

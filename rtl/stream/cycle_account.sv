@@ -20,10 +20,13 @@ module cycle_account (
       pass_o = gnomon_pkg::PASS_CONTROL;
     end else begin
       case (op_i)
-        gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_SLB_CLEAR:     pass_o = gnomon_pkg::PASS_CLEAR;
-        gnomon_pkg::OP_READ_PLANE, gnomon_pkg::OP_READ_ENTRIES:   pass_o = gnomon_pkg::PASS_READ;
-        gnomon_pkg::OP_PROJECT_VOXELS:                            pass_o = gnomon_pkg::PASS_PROJECT;
-        gnomon_pkg::OP_RESOLVE_VOXELS:                            pass_o = gnomon_pkg::PASS_RESOLVE;
+        gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_CLEAR_LISTS,
+        gnomon_pkg::OP_SLB_CLEAR:                                 pass_o = gnomon_pkg::PASS_CLEAR;
+        gnomon_pkg::OP_READ_PLANE, gnomon_pkg::OP_READ_LISTS,
+        gnomon_pkg::OP_READ_ENTRIES:                              pass_o = gnomon_pkg::PASS_READ;
+        gnomon_pkg::OP_PROJECT_VOXELS, gnomon_pkg::OP_PUT_QUADS:  pass_o = gnomon_pkg::PASS_PROJECT;
+        gnomon_pkg::OP_RESOLVE_VOXELS,
+        gnomon_pkg::OP_RESOLVE_TOPOLOGY:                          pass_o = gnomon_pkg::PASS_RESOLVE;
         gnomon_pkg::OP_BEGIN_OBJECT, gnomon_pkg::OP_LOOP:         pass_o = gnomon_pkg::PASS_DRAW;
         gnomon_pkg::OP_FILL, gnomon_pkg::OP_END_OBJECT:           pass_o = gnomon_pkg::PASS_FILL;
         gnomon_pkg::OP_COVER:                                     pass_o = gnomon_pkg::PASS_COVER;

@@ -39,15 +39,6 @@ module topology #(
   output topology_pkg::topology_events_t             events_o
 );
 
-  if (SUB_BITS < 2 || SUB_BITS > 8)
-    $error("SUB_BITS is out of range 2..8");
-  if (SPAN_LOG2 < 2 || SPAN_LOG2 > 6)
-    $error("SPAN_LOG2 is out of range 2..6");
-  if (NODES_LOG2 < 4 || NODES_LOG2 > 24)
-    $error("NODES_LOG2 is out of range 4..24");
-  if (QUADS_LOG2 < 4 || QUADS_LOG2 > 24)
-    $error("QUADS_LOG2 is out of range 4..24");
-
   localparam int unsigned P          = VOXEL_BITS + VOXEL_FRAC_BITS;
   localparam int unsigned UV_M       = gnomon_pkg::uv_coefficient_bits(MATRIX_FRAC_BITS);
   localparam int unsigned UV_1       = gnomon_pkg::uv_constant_bits(MATRIX_FRAC_BITS, P);

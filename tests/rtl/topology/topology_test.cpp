@@ -19,6 +19,12 @@ class TopologyUnit : public testing::Test {};
 using Builds = testing::Types<SceneBuild, SmallBuild, WideBuild>;
 TYPED_TEST_SUITE(TopologyUnit, Builds);
 
+/// Those whose pools a moment's quads fill.
+template <class Build>
+class TopologyPools : public testing::Test {};
+using SmallPools = testing::Types<SmallBuild, WideBuild>;
+TYPED_TEST_SUITE(TopologyPools, SmallPools);
+
 TYPED_TEST(TopologyUnit, RandomProgramsGiveGoldensWordsAndCounters) {
   const TopologyConfig config = TypeParam::config();
   TopologyBench<typename TypeParam::Model> bench(1);
@@ -108,9 +114,8 @@ TYPED_TEST(TopologyUnit, SidesCornersAndDegenerateQuads) {
   EXPECT_GT(want.counters.hit, 100u);
 }
 
-TYPED_TEST(TopologyUnit, PoolsRunOutAndVoxelsFallBack) {
+TYPED_TEST(TopologyPools, TheyRunOutAndVoxelsFallBack) {
   const TopologyConfig config = TypeParam::config();
-  if (config.nodes_log2 > 12) GTEST_SKIP() << "a pool too large to fill in a moment";
   stimulus::Random random(7);
   std::vector<Quad> quads;
   for (int i = 0; i < 700; ++i)
