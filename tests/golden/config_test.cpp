@@ -59,6 +59,40 @@ TEST(Config, RulesAboutSeveralParameters) {
             "MATRIX_FRAC_BITS=12 is below VOXEL_BITS + VOXEL_FRAC_BITS + 2 = 13");
 }
 
+TEST(Config, SlbParametersCountOnlyWithTheUnit) {
+  const HardwareConfig with{.en_slb = true};
+  EXPECT_NE(HardwareConfig{}, with);
+  int HardwareConfig::*const members[] = {&HardwareConfig::slb_plane_log2, &HardwareConfig::frac_bits,
+                                          &HardwareConfig::slope_bits,     &HardwareConfig::frags_per_pixel,
+                                          &HardwareConfig::subpixel_bits,  &HardwareConfig::query_bits};
+  for (const auto member : members) {
+    for (const bool en_slb : {false, true}) {
+      HardwareConfig same{.en_slb = en_slb}, other{.en_slb = en_slb};
+      other.*member = 99;
+      EXPECT_EQ(same == other, !en_slb);
+      EXPECT_EQ(other.check().has_value(), en_slb);
+    }
+  }
+  EXPECT_EQ((HardwareConfig{.slb_rounding = slb::Rounding::Published}), HardwareConfig{});
+  EXPECT_NE((HardwareConfig{.en_slb = true, .slb_rounding = slb::Rounding::Published}), with);
+}
+
+TEST(Config, SlbRules) {
+  EXPECT_EQ(message({.en_slb = true}), "legal");
+  EXPECT_EQ(message({.en_slb = true, .slb_plane_log2 = 2}), "SLB_PLANE_LOG2=2 is out of range 3..12");
+  EXPECT_EQ(message({.en_slb = true, .slb_plane_log2 = 13}), "SLB_PLANE_LOG2=13 is out of range 3..12");
+  EXPECT_EQ(message({.en_slb = true, .frac_bits = 9}), "FRAC_BITS=9 is out of range 3..8");
+  EXPECT_EQ(message({.en_slb = true, .subpixel_bits = 9}), "SUBPIXEL_BITS=9 is out of range 10..16");
+  EXPECT_EQ(message({.en_slb = true, .query_bits = 17}), "QUERY_BITS=17 is out of range 10..16");
+  EXPECT_EQ(message({.en_slb = true, .frac_bits = 3, .slope_bits = 9, .subpixel_bits = 9}),
+            "SUBPIXEL_BITS=9 is below SLOPE_BITS - FRAC_BITS + 4 = 10");
+  EXPECT_EQ(message({.depth_bits = 24, .en_slb = true, .subpixel_bits = 11}),
+            "a vertex needs 2 (SLB_PLANE_LOG2 + 2 + SUBPIXEL_BITS) + DEPTH_BITS = 66 bits, 64 at most");
+  EXPECT_EQ(message({.depth_bits = 24, .en_slb = true, .query_bits = 11}),
+            "a query needs 2 (SLB_PLANE_LOG2 + 2 + QUERY_BITS) + DEPTH_BITS = 66 bits, 64 at most");
+  EXPECT_EQ(message({.depth_bits = 24, .en_slb = true}), "legal");
+}
+
 TEST(Config, EngineRefusesWhatCheckRefuses) {
   try {
     make_golden_engine({.depth_bits = 25});

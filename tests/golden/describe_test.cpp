@@ -20,6 +20,17 @@ TEST(Describe, Headers) {
             "RESOLVE_VOXELS flags=0x01 count=2 arg=0x00000000");
 }
 
+TEST(Describe, HeadersOfTheSilhouetteLineBuffer) {
+  const char* const names[] = {"SLB_CLEAR", "BEGIN_OBJECT", "LOOP",  "FILL",
+                               "COVER",     "END_OBJECT",   "QUERY", "READ_ENTRIES"};
+  for (std::uint8_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(describe_header(encode(Header{static_cast<std::uint8_t>(0x20 + i), 1, 2, 3})),
+              std::string(names[i]) + " flags=0x01 count=2 arg=0x00000003");
+  }
+  EXPECT_EQ(describe_result(encode(FenceResult{.sticky = 0x701, .tag = 5})),
+            "FENCE tag=5 sticky=ERROR_SEEN|LINE_OVERFLOW|OBJECT_OVERFLOW|WINDING_SATURATED");
+}
+
 TEST(Describe, VoxelStates) {
   EXPECT_EQ(describe_result(encode(VoxelResult{})), "VOXEL_STATE lit nearest=none delta=0");
   EXPECT_EQ(describe_result(
@@ -44,9 +55,9 @@ TEST(Describe, OtherResults) {
   EXPECT_EQ(describe_result(encode(PlaneEntryResult{12, false, 9})), "PLANE_ENTRY index=12 empty depth=9");
   EXPECT_EQ(describe_result(encode(ErrorResult{4, 9})), "ERROR BAD_ARGUMENT command=9");
   EXPECT_EQ(describe_result(encode(ErrorResult{77, 9})), "ERROR unknown error 77 command=9");
-  const char* const errors[] = {"UNKNOWN_OP", "FEATURE_ABSENT", "BAD_REGISTER", "BAD_ARGUMENT",
-                                "RESERVED_FLAG"};
-  for (std::uint8_t i = 0; i < 5; ++i) {
+  const char* const errors[] = {"UNKNOWN_OP",   "FEATURE_ABSENT", "BAD_REGISTER",
+                                "BAD_ARGUMENT", "RESERVED_FLAG",  "BAD_SEQUENCE"};
+  for (std::uint8_t i = 0; i < 6; ++i) {
     EXPECT_EQ(describe_result(encode(ErrorResult{static_cast<std::uint8_t>(i + 1), 0})),
               std::string("ERROR ") + errors[i] + " command=0");
   }
