@@ -113,6 +113,26 @@ void add_fraction_bits(Configs& configs, HardwareConfig config) {
       }
 }
 
+Configs make_covering_array() {
+  const Configs slb_candidates = slb_corner_configs(), vpu_candidates = corner_configs();
+  Missing vpu(vpu_values, vpu_candidates), slb(slb_values, slb_candidates);
+  Configs chosen;
+  const auto choose = [&](const HardwareConfig& config) {
+    chosen.push_back(config);
+    vpu.remove(config);
+    if (config.en_slb) slb.remove(config);
+  };
+  choose({});
+  choose({.en_slb = true});
+  choose({.en_vpu_offset = false});
+  while (!vpu.empty()) {
+    const HardwareConfig next = vpu.best(vpu_candidates);
+    choose(joined(next, slb.best(with_depth(slb_candidates, next.depth_bits))));
+  }
+  while (!slb.empty()) choose(slb.best(slb_candidates));
+  return chosen;
+}
+
 }  // namespace
 
 Configs corner_configs() {
@@ -150,23 +170,8 @@ Configs slb_corner_configs() {
 }
 
 Configs covering_array() {
-  const Configs slb_candidates = slb_corner_configs(), vpu_candidates = corner_configs();
-  Missing vpu(vpu_values, vpu_candidates), slb(slb_values, slb_candidates);
-  Configs chosen;
-  const auto choose = [&](const HardwareConfig& config) {
-    chosen.push_back(config);
-    vpu.remove(config);
-    if (config.en_slb) slb.remove(config);
-  };
-  choose({});
-  choose({.en_slb = true});
-  choose({.en_vpu_offset = false});
-  while (!vpu.empty()) {
-    const HardwareConfig next = vpu.best(vpu_candidates);
-    choose(joined(next, slb.best(with_depth(slb_candidates, next.depth_bits))));
-  }
-  while (!slb.empty()) choose(slb.best(slb_candidates));
-  return chosen;
+  static const Configs all = make_covering_array();
+  return all;
 }
 
 }  // namespace gnomon::stimulus
