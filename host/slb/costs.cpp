@@ -46,8 +46,8 @@ Costs buffer_costs(const golden::HardwareConfig& config, const golden::Counters&
         cycles_of(counters, "CLEAR") + cycles_of(counters, "DRAW") + cycles_of(counters, "FILL");
     costs.query_cycles = cycles_of(counters, "QUERY");
   } else {
-    const auto scrubbed = static_cast<double>((pixels(config) + kGenerations - 1) / kGenerations);
-    costs.draw_cycles = scrubbed + event(counters, "SLB_CROSSINGS") +
+    const std::uint64_t scrubbed = (pixels(config) + kGenerations - 1) / kGenerations;
+    costs.draw_cycles = static_cast<double>(scrubbed) + event(counters, "SLB_CROSSINGS") +
                         event(counters, "SLB_FILL_PIXELS") / kPixelsPerCycle +
                         event(counters, "SLB_FILL_GROUPS");
     costs.query_cycles = event(counters, "SLB_QUERIES");

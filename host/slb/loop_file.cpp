@@ -26,11 +26,11 @@ std::string describe(const JsonPath& path) {
     const auto* number = at < path.size() ? std::get_if<std::size_t>(&path[at]) : nullptr;
     return number == nullptr ? std::nullopt : std::optional(*number);
   };
-  if (!key(0, "objects") || !index(1)) return to_text(path);
-  if (path.size() == 3 || !key(2, "loops")) {
-    return path.size() == 2 ? place_text(*index(1)) : fmt::format("object {} ({})", *index(1), to_text(path));
-  }
-  return place_text(*index(1), index(3), index(4));
+  const std::optional<std::size_t> object = index(1);
+  if (!key(0, "objects") || !object) return to_text(path);
+  if (path.size() == 2) return place_text(*object);
+  if (path.size() > 3 && key(2, "loops")) return place_text(*object, index(3), index(4));
+  return fmt::format("object {} ({})", *object, to_text(path));
 }
 
 std::string kind_of(const json& value) {

@@ -33,6 +33,7 @@ RestoredLine restore(const golden::slb::Line& line, const SlbConfig& config) {
 
 std::vector<bool> RestoredGroup::inside_of(const Vec2& in_pixel) const {
   std::vector<bool> inside;
+  inside.reserve(lines.size());
   for (const RestoredLine& line : lines) inside.push_back(line.depth_inside(in_pixel) >= 0);
   return inside;
 }

@@ -168,8 +168,10 @@ TEST_F(SlbTest, ADifferenceIsTold) {
   }
   const std::string loops = nlohmann::json{{"objects", {{{"depth", 0.5}, {"loops", {teeth}}}}}}.dump();
   std::string queries;
-  for (int i = 0; i < 4096; ++i)
-    queries += std::to_string(i % 64 * 0.25 + 0.1) + "," + std::to_string(i / 64 * 0.25 + 0.1) + ",1\n";
+  for (int row = 0; row < 64; ++row) {
+    for (int column = 0; column < 64; ++column)
+      queries += std::to_string(column * 0.25 + 0.1) + "," + std::to_string(row * 0.25 + 0.1) + ",1\n";
+  }
   const std::vector<std::string> set{"--set", "plane=16", "--set", "slb_preset=slb4"};
   ASSERT_EQ(slb(loops, queries, set).status, 0);
   const std::string expected = content(file("r.csv"));

@@ -26,6 +26,7 @@ Displacement measure(const LoopScene& drawn, const BorderSamples& samples, const
     model.end_object();
   }
   std::vector<gold::QueryAnswer> answers;
+  answers.reserve(samples.queries.size());
   for (const gold::QueryPoint& point : samples.queries) answers.push_back(model.query(point, 0));
   return displacement(samples, answers);
 }

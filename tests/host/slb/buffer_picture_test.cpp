@@ -82,6 +82,7 @@ class BufferPictureTest : public testing::Test {
     reference_.emplace(scene, config_.side());
     model_.begin_object(0, true, 5);
     std::vector<gold::Vertex> loop;
+    loop.reserve(4);
     for (const Vec2& v : scene[0].loops[0])
       loop.push_back({static_cast<std::int64_t>(v.x * 4096), static_cast<std::int64_t>(v.y * 4096), 5});
     model_.loop(loop);

@@ -24,6 +24,7 @@ LoopResults answers(const LoopScene& scene, const std::vector<Receiver>& receive
                     const golden::HardwareConfig& config, bool entries = false) {
   const auto casters = to_fixed(scene, config.slb_config()).value();
   std::vector<golden::slb::QueryPoint> queries;
+  queries.reserve(receivers.size());
   for (const Receiver& receiver : receivers) queries.push_back(to_query(receiver, config.slb_config()));
   const auto stream = loop_stream(casters, queries, config, entries);
   return decode_results(run_golden(config, stream, [](double) {}).results, queries.size(), config);
@@ -60,7 +61,8 @@ TEST(LoopStream, TakesMoreObjectsThanThereAreIds) {
   LoopScene scene;
   std::vector<Receiver> receivers;
   for (int i = 0; i < 300; ++i) {
-    const double x = 3 * (i % 20) + 0.3, y = 3 * (i / 20) + 0.3;
+    const int column = i % 20, row = i / 20;
+    const double x = 3 * column + 0.3, y = 3 * row + 0.3;
     scene.push_back({0.5, {{{x, y}, {x + 1.9, y + 0.1}, {x + 0.9, y + 1.8}}}});
     receivers.push_back({x + 0.9, y + 0.7, 1});
   }

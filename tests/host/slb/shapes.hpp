@@ -17,6 +17,7 @@ inline LoopScene from_golden(const golden::slb::testing::Scene& scene, const gol
     FlatCaster caster{0.25, {}};
     for (const auto& vertices : object) {
       Loop loop;
+      loop.reserve(vertices.size());
       for (const golden::slb::Vertex& v : vertices) {
         loop.emplace_back(std::ldexp(static_cast<double>(v.x), -config.subpixel_bits),
                           std::ldexp(static_cast<double>(v.y), -config.subpixel_bits));
