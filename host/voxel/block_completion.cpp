@@ -2,6 +2,7 @@
 // N = 6: the voxels that a block's leaves touch between their corners. Theory: docs/voxelization.md, "N = 6".
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/surface/borders.hpp"
 #include "host/voxel/block_worker.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 // Triangles that leave the surface by more than this would touch voxels that the surface does not. In voxels,
 // as all lengths here.
-constexpr double kFlat = 0.005;
+constexpr double kFlat = 0.004;
 
 // Leaves no larger than this are good enough, however they are bent.
 constexpr double kSmall = 0.25;
@@ -23,32 +24,52 @@ Vec3 position(const GridPoint& p) {
 
 }  // namespace
 
-// Which directions of a leaf must be split because its middle is too far from the plane through its corners.
+// A point of the lattice, evaluated if it has not been.
+Vec3 BlockWorker::position_at(int i, int j) {
+  lattice_.at<true>(i, j);
+  return position(lattice_.point(i, j));
+}
+
+// Which directions of a leaf must be split because the surface is too far from the leaf's triangles.
 Split BlockWorker::straighten(const Box& b) {
   const double u = static_cast<double>(b.i1 - b.i0) / lattice_.width();
   const double v = static_cast<double>(b.j1 - b.j0) / lattice_.height();
-  if (bend_ && bend_->sag(u, v) <= kFlat) return {};
+  const auto bound = [&](double part_u, double part_v) {
+    return bend_ ? bend_->sag(part_u, part_v) : std::numeric_limits<double>::infinity();
+  };
+  if (bound(u, v) <= kFlat) return {};
   const Vec3 p00 = position(lattice_.point(b.i0, b.j0));
+  const Vec3 p10 = position(lattice_.point(b.i1, b.j0));
   const Vec3 p11 = position(lattice_.point(b.i1, b.j1));
-  const Vec3 across = p11 - p00;
-  const Vec3 other = position(lattice_.point(b.i0, b.j1)) - position(lattice_.point(b.i1, b.j0));
-  const bool small = std::max(across.length2(), other.length2()) <= kSmall * kSmall;
-  if (small && bend_ && bend_->sag(u, v) <= kSmall) return {};
+  const Vec3 p01 = position(lattice_.point(b.i0, b.j1));
+  const bool small = std::max((p11 - p00).length2(), (p01 - p10).length2()) <= kSmall * kSmall;
+  if (small && bound(u, v) <= kSmall) return {};
   if (log_u(b) == rules_.smallest_log || log_v(b) == rules_.smallest_log) return {};
-  if (b.i1 - b.i0 == 1 || b.j1 - b.j0 == 1) {  // the middle is not on the lattice: decided on a finer one
+  if (b.i1 - b.i0 == 1 || b.j1 - b.j0 == 1) {  // its middle is not on the lattice: decided on a finer one
     postpone(b, {true, true});
     return {};
   }
-  const int i = (b.i0 + b.i1) / 2;
-  const int j = (b.j0 + b.j1) / 2;
-  lattice_.at<true>(i, j);
-  const Vec3 off = position(lattice_.point(i, j)) - (p00 + p11) / 2;
-  if (small && off.length() <= kSmall) return {};
-  const Vec3 normal = across.cross(other).normalized();  // zero if the corners are on a line
-  if ((normal.length2() == 0 ? off.length() : std::abs(off.dot(normal))) <= kFlat) return {};
-  if (bend_ && bend_->sag(u / 2, v) <= kFlat) return {true, false};
-  if (bend_ && bend_->sag(u, v / 2) <= kFlat) return {false, true};
+  const Vec3 normal = (p11 - p00).cross(p01 - p10).normalized();  // zero if the corners are on a line
+  const auto bent = [&](const Vec3& off) {
+    return (normal.length2() == 0 ? off.length() : std::abs(off.dot(normal))) > kFlat;
+  };
+  const Split split{bent(off_u(b, b.j0)) || bent(off_u(b, b.j1)),
+                    bent(off_v(b, b.i0)) || bent(off_v(b, b.i1))};
+  if (!split.none()) return split;
+  const Vec3 off = position_at((b.i0 + b.i1) / 2, (b.j0 + b.j1) / 2) - (p00 + p11) / 2;
+  if ((small && off.length() <= kSmall) || !bent(off)) return {};
   return {true, true};
+}
+
+// How far the middle of a leaf's side along u lies from the middle between its ends.
+Vec3 BlockWorker::off_u(const Box& b, int j) {
+  if (bend_) return lattice_.off_u(b.i0, b.i1, j);
+  return position_at((b.i0 + b.i1) / 2, j) - (position_at(b.i0, j) + position_at(b.i1, j)) / 2;
+}
+
+Vec3 BlockWorker::off_v(const Box& b, int i) {
+  if (bend_) return lattice_.off_v(i, b.j0, b.j1);
+  return position_at(i, (b.j0 + b.j1) / 2) - (position_at(i, b.j0) + position_at(i, b.j1)) / 2;
 }
 
 // A touched voxel takes the nearest thing to a representative: a corner of the leaf, moved into the voxel.

@@ -71,6 +71,9 @@ class BlockWorker {
   void divide(const Box& box, const Corners& corners, Split split);
   void postpone(const Box& box, Split split);
   Split straighten(const Box& box);
+  Vec3 position_at(int i, int j);
+  Vec3 off_u(const Box& box, int j);
+  Vec3 off_v(const Box& box, int i);
   void keep_leaf(const Box& box) {
     ++leaf_count_;
     if (leaves_wanted_ || exact_) leaves_.push_back(box);

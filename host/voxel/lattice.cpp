@@ -63,6 +63,27 @@ std::optional<Bend> Lattice::bend() const {
   return Bend::of(*own_.patch, own_.u(0), own_.u(width_), own_.v(0), own_.v(height_));
 }
 
+// For a cubic this is, exactly, an eighth of its second derivative in the middle.
+Vec3 Lattice::off_u(int i0, int i1, int j) const {
+  const double u = (own_.u(i0) + own_.u(i1)) / 2;
+  const double length = own_.u(i1) - own_.u(i0);
+  const auto& c = own_.patch->c;
+  return (vec(surface::cubic(c[2], own_.v(j))) * 2 + vec(surface::cubic(c[3], own_.v(j))) * (6 * u)) *
+         (length * length / -8);
+}
+
+Vec3 Lattice::off_v(int i, int j0, int j1) const {
+  const double v = (own_.v(j0) + own_.v(j1)) / 2;
+  const double length = own_.v(j1) - own_.v(j0);
+  Row second;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t x = 0; x < 4; ++x) {
+      second[k].x[x] = 2 * own_.patch->c[k][2].x[x] + 6 * v * own_.patch->c[k][3].x[x];
+    }
+  }
+  return vec(surface::cubic(second, own_.u(i))) * (length * length / -8);
+}
+
 Lattice::Chart Lattice::chart(std::uint32_t u0, std::uint32_t v0, std::uint32_t u1, std::uint32_t v1) const {
   const auto piece = pieces_->region(parameter(u0), parameter(v0), parameter(u1), parameter(v1));
   if (!piece.whole || piece.patch == nullptr) return {};

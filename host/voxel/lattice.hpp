@@ -56,6 +56,10 @@ class Lattice {
   GridPoint point(int i, int j) const { return points_[index(i, j)]; }
   /// How far the block bends, if all of it is one polynomial.
   std::optional<Bend> bend() const;
+  /// If it is: how far the middle of the stretch from i0 to i1 (j0 to j1) lies from the middle between its
+  /// ends.
+  Vec3 off_u(int i0, int i1, int j) const;
+  Vec3 off_v(int i, int j0, int j1) const;
   /// In row-major order.
   template <class Visit>
   void for_each_visited(Visit visit) const;
