@@ -52,7 +52,7 @@ module topology #(
   localparam int unsigned HEAD       = topology_pkg::head_bits(D, NODES_LOG2);
   localparam int unsigned NODE       = topology_pkg::node_bits(D, NODES_LOG2, QUADS_LOG2);
   localparam int unsigned RECORD     = topology_pkg::record_bits(SUB_BITS, SPAN_LOG2);
-  // A walk's round takes 2 MEM_LATENCY + 10 cycles; the others wait until an older one is done.
+  // A walk's round takes 2 MEM_LATENCY + 8 cycles; the others wait until an older one is done.
   localparam int unsigned WALKS_LOG2 = $clog2(2 * MEM_LATENCY + 48);
   localparam int unsigned HEAD_TAG   = 3 + D + 2 * (PLANE_LOG2 + SUB_BITS);
   localparam int unsigned NODE_TAG   = 2 * topology_pkg::COUNT_BITS + WALKS_LOG2;

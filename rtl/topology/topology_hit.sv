@@ -33,8 +33,8 @@ module topology_hit #(
   logic [SPAN_LOG2-1:0] u_base, v_base;
   logic [DELTA-1:0]     u, v;
   logic                 unused_entry;
-  assign u_entry          = ENTRY'(u_i >> SUB_BITS);
-  assign v_entry          = ENTRY'(v_i >> SUB_BITS);
+  assign u_entry          = ENTRY'(u_i[PLACE-1:SUB_BITS]);
+  assign v_entry          = ENTRY'(v_i[PLACE-1:SUB_BITS]);
   assign {v_base, u_base} = record_i[8*DELTA+:2*SPAN_LOG2];
   assign u                = {u_entry[SPAN_LOG2-1:0] - u_base, u_i[SUB_BITS-1:0]};
   assign v                = {v_entry[SPAN_LOG2-1:0] - v_base, v_i[SUB_BITS-1:0]};
