@@ -100,8 +100,7 @@ nlohmann::ordered_json report_metrics(const SlbJob& job, const std::vector<slb::
 
 Result<bool> write_slb_report(Context& context, const SlbJob& job, const slb::Runner& runner,
                               const std::filesystem::path& directory, const std::string& command) {
-  Result<report::OutputDirectory> output =
-      report::OutputDirectory::create(std::filesystem::absolute(directory));
+  Result<report::OutputDirectory> output = report::OutputDirectory::create(directory);
   if (!output) return tl::make_unexpected(output.error());
   std::vector<slb::ErrorPoint> points;
   std::size_t shown = 0;

@@ -177,8 +177,6 @@ void Job::run_golden() {
 /// The first run of a configuration compiles its model; without a compiler or a cache that is the user's to
 /// cure.
 Result<std::unique_ptr<sim::RtlEngine>> Job::make_rtl(const sim::RtlOptions& options) const try {
-  if (technique_->config().en_vpu_topology && !request_.make_rtl)
-    return fail("technique=voxel-topology has no rtl yet: expected --engine golden");
   return request_.make_rtl ? request_.make_rtl(technique_->config(), options)
                            : sim::make_rtl_engine(technique_->config(), options);
 } catch (const std::runtime_error& error) {

@@ -87,8 +87,8 @@ double published_distance(const Vec3& start, const Vec3& direction, const Vec3& 
   const double below = uv * uv - uu * vv;
   const double s = (uv * wv - vv * wu) / below;
   const double t = (uv * wu - uu * wv) / below;
-  const bool inside = s >= 0 && t >= 0 && s + t <= 1;
-  return inside ? distance : kNothing;
+  if (!(s >= 0 && t >= 0 && s + t <= 1)) return kNothing;
+  return distance;
 }
 
 TopologyDouble topology_states_double(const TopologyPlan& plan, const voxel::VoxelSet& voxels,

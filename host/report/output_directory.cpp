@@ -83,7 +83,8 @@ OutputDirectory::~OutputDirectory() {
 Result<OutputDirectory> OutputDirectory::create(const fs::path& target) {
   if (target.empty()) return fail("output directory: empty name, expected a path");
   std::error_code error;
-  const fs::path full = fs::weakly_canonical(target, error);
+  // Absolute first: of a relative path that does not exist yet, weakly_canonical keeps it relative.
+  const fs::path full = fs::weakly_canonical(fs::absolute(target, error), error);
   if (error) return fail(fmt::format("{}: {}", target.string(), error.message()));
   if (fs::exists(full, error) && !fs::is_directory(full, error)) {
     return fail(fmt::format("{}: is not a directory, expected one to write the results to", target.string()));

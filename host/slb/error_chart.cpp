@@ -35,14 +35,14 @@ struct Chart {
   double y(double pixels) const { return kHeight - kBottom - error.at(pixels) * (kHeight - kTop - kBottom); }
 
   void grid() {
-    for (double decade = memory.low; decade <= memory.high; ++decade) {
+    for (int decade = static_cast<int>(memory.low); decade <= static_cast<int>(memory.high); ++decade) {
       const double value = std::pow(10, decade), at = x(value);
       svg += fmt::format(R"(<line class="grid" x1="{0:.1f}" y1="{1}" x2="{0:.1f}" y2="{2}"/>)", at, kTop,
                          kHeight - kBottom);
       svg += fmt::format(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{}</text>)", at,
                          kHeight - kBottom + 18, report::bits(static_cast<std::uint64_t>(value)));
     }
-    for (double decade = error.low; decade <= error.high; ++decade) {
+    for (int decade = static_cast<int>(error.low); decade <= static_cast<int>(error.high); ++decade) {
       const double value = std::pow(10, decade), at = y(value);
       svg += fmt::format(R"(<line class="grid" x1="{1}" y1="{0:.1f}" x2="{2}" y2="{0:.1f}"/>)", at, kLeft,
                          kWidth - kRight);

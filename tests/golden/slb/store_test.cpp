@@ -38,6 +38,7 @@ bool shadow(SlbModel& model, double x, double y, std::uint32_t depth, std::uint3
 /// Vertical strips through row 3, each with two lines in pixel (3, 3).
 std::vector<Loop> strips(int count, const SlbConfig& config) {
   std::vector<Loop> loops;
+  loops.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) loops.push_back(quad(3.06 + 0.1 * i, 1, 3.11 + 0.1 * i, 6, config));
   return loops;
 }

@@ -35,7 +35,7 @@ TEST(Unit, ItemsKeepEveryField) {
     Random random(1);
     const std::int64_t limit = std::int64_t{1} << (config.vertex_width() - 1);
     const std::int64_t query_limit = std::int64_t{1} << (config.query_width() - 1);
-    const std::int64_t cells = 2 * config.side();
+    const std::int64_t cells = std::int64_t{2} * config.side();
     for (int i = 0; i < 500; ++i) {
       const auto depth = static_cast<std::uint32_t>(random.integer(0, config.no_depth()));
       const Vertex vertex{i == 0 ? -limit : random.integer(-limit, limit - 1),

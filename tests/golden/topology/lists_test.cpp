@@ -18,7 +18,7 @@ using golden::topology::Walk;
 constexpr int kSub = 4;  // sub_bits of small_config()
 
 std::size_t entry(int u, int v) {
-  return static_cast<std::size_t>(v * 16 + u);
+  return static_cast<std::size_t>(v) * 16 + static_cast<std::size_t>(u);
 }
 Corner corner(double u, double v, std::uint32_t depth) {
   return {.u = static_cast<std::int64_t>(u * (1 << kSub)),

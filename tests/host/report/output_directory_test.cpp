@@ -59,6 +59,16 @@ TEST_F(OutputDirectoryTest, AppearsAtCommitWithItsParents) {
   EXPECT_THAT(names(root_), ElementsAre("a"));
 }
 
+TEST_F(OutputDirectoryTest, ABareNameIsInTheWorkingDirectory) {
+  const fs::path before = fs::current_path();
+  fs::current_path(root_);
+  write_and_commit("out", "new");
+  write_and_commit("some/parents/out", "new");
+  fs::current_path(before);
+  EXPECT_EQ(content(root_ / "out" / "report.html"), "new");
+  EXPECT_EQ(content(root_ / "some" / "parents" / "out" / "report.html"), "new");
+}
+
 TEST_F(OutputDirectoryTest, LeavesNothingWithoutCommit) {
   { ASSERT_TRUE(OutputDirectory::create(root_ / "out")->write("metrics.json", "new")); }
   EXPECT_THAT(names(root_), IsEmpty());
