@@ -14,12 +14,12 @@ module topology_corner #(
 );
 
   localparam int unsigned SHIFT = MATRIX_FRAC_BITS - SUB_BITS;
-  // Holds every shifted sum, and has a bit above the narrowed one's sign to look at.
-  localparam int unsigned WIDE  = gnomon_pkg::max_of(ACC_BITS - SHIFT, COORDINATE + 1);
+  // Holds every sum, and has a bit above the narrowed one's sign to look at.
+  localparam int unsigned WIDE  = gnomon_pkg::max_of(ACC_BITS, COORDINATE + 1);
 
   logic signed [WIDE-1:0] wide;
   logic                   fits;
-  assign wide = WIDE'(acc_i >>> SHIFT);  // floor; no value changes by the cast
+  assign wide = WIDE'(acc_i) >>> SHIFT;  // floor; no value changes by the cast
   assign fits = wide[WIDE-1:COORDINATE-1] == '0 || wide[WIDE-1:COORDINATE-1] == '1;
 
   // Saturation to -2^(COORDINATE-1)..2^(COORDINATE-1) - 1.

@@ -37,7 +37,7 @@ Outcome run(const std::string& command) {
   return outcome;
 }
 
-using Parameters = std::array<std::pair<const char*, int>, 15>;
+using Parameters = std::array<std::pair<const char*, int>, 20>;
 Parameters parameters(const HardwareConfig& config) {
   return {{{"VOXEL_BITS", config.voxel_bits},
            {"VOXEL_FRAC_BITS", config.voxel_frac_bits},
@@ -46,6 +46,11 @@ Parameters parameters(const HardwareConfig& config) {
            {"DEPTH_BITS", config.depth_bits},
            {"PLANE_LOG2", config.plane_log2},
            {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0},
+           {"EN_VPU_TOPOLOGY", config.en_vpu_topology ? 1 : 0},
+           {"SUB_BITS", config.sub_bits},
+           {"SPAN_LOG2", config.span_log2},
+           {"NODES_LOG2", config.nodes_log2},
+           {"QUADS_LOG2", config.quads_log2},
            {"EN_SLB", config.en_slb ? 1 : 0},
            {"SLB_PLANE_LOG2", config.slb_plane_log2},
            {"FRAC_BITS", config.frac_bits},
@@ -100,6 +105,36 @@ TEST(Elaboration, YosysReadsAndChecksBuildsOfTheCoveringArray) {
   }
 }
 
+TEST(Elaboration, TopologyModesExtremesAreLintClean) {
+  for (const HardwareConfig& config : {HardwareConfig{.en_vpu_topology = true},
+                                       HardwareConfig{.voxel_bits = 4,
+                                       .voxel_frac_bits = 0,
+                                       .normal_bits = 4,
+                                       .matrix_frac_bits = 12,
+                                       .depth_bits = 8,
+                                       .plane_log2 = 12,
+                                       .en_vpu_offset = false,
+                                       .en_vpu_topology = true,
+                                       .sub_bits = 8,
+                                       .span_log2 = 2,
+                                       .nodes_log2 = 24,
+                                       .quads_log2 = 4},
+                                       HardwareConfig{.voxel_bits = 11,
+                                       .voxel_frac_bits = 5,
+                                       .normal_bits = 5,
+                                       .matrix_frac_bits = 28,
+                                       .depth_bits = 24,
+                                       .plane_log2 = 4,
+                                       .en_vpu_topology = true,
+                                       .sub_bits = 2,
+                                       .span_log2 = 6,
+                                       .nodes_log2 = 4,
+                                       .quads_log2 = 24}}) {
+    EXPECT_EQ(verilator(config).text, "");
+  }
+  EXPECT_EQ(yosys({.plane_log2 = 4, .en_vpu_topology = true, .nodes_log2 = 6, .quads_log2 = 5}).status, 0);
+}
+
 struct Illegal {
   const char* message;  ///< of the hardware's check
   HardwareConfig config;
@@ -123,6 +158,14 @@ std::vector<Illegal> illegal_builds() {
       {"DEPTH_BITS is out of range 8..24", {.depth_bits = 25}},
       {"PLANE_LOG2 is out of range 4..12", {.plane_log2 = 3}},
       {"PLANE_LOG2 is out of range 4..12", {.plane_log2 = 13}},
+      {"SUB_BITS is out of range 2..8", {.en_vpu_topology = true, .sub_bits = 1}},
+      {"SUB_BITS is out of range 2..8", {.en_vpu_topology = true, .sub_bits = 9}},
+      {"SPAN_LOG2 is out of range 2..6", {.en_vpu_topology = true, .span_log2 = 1}},
+      {"SPAN_LOG2 is out of range 2..6", {.en_vpu_topology = true, .span_log2 = 7}},
+      {"NODES_LOG2 is out of range 4..24", {.en_vpu_topology = true, .nodes_log2 = 3}},
+      {"NODES_LOG2 is out of range 4..24", {.en_vpu_topology = true, .nodes_log2 = 25}},
+      {"QUADS_LOG2 is out of range 4..24", {.en_vpu_topology = true, .quads_log2 = 3}},
+      {"QUADS_LOG2 is out of range 4..24", {.en_vpu_topology = true, .quads_log2 = 25}},
       {"FRAC_BITS is out of range 3..8", {.en_slb = true, .frac_bits = 2}},
       {"FRAC_BITS is out of range 3..8",
        {.en_slb = true, .frac_bits = 9, .subpixel_bits = 12, .query_bits = 12}},
