@@ -169,6 +169,15 @@ std::vector<Word> diagonal_slb_stream(const HardwareConfig& hardware) {
   return words;
 }
 
+std::vector<Word> clearing_slb_stream(const HardwareConfig& config) {
+  std::vector<Word> words = piled_slb_stream(1, config);
+  for (int clears = 1; clears <= 256; ++clears) {
+    append(words, slb_command(SlbOp::Clear, 0, 0, {}));
+    if (clears == 1 || clears >= 254) append_dump(words, config.slb_config());
+  }
+  return words;
+}
+
 std::vector<Word> crowded_slb_stream(std::uint64_t seed, const HardwareConfig& config) {
   return Crowd(seed, config.slb_config()).stream();
 }

@@ -24,6 +24,10 @@ std::vector<golden::Word> piled_slb_stream(std::uint64_t seed, const golden::Har
 /// A diamond with its corners on the grid, and points exactly on its sides, which belong to it.
 std::vector<golden::Word> diagonal_slb_stream(const golden::HardwareConfig& config);
 
+/// An object, then clears until its generation's number comes round again, with everything shown just before
+/// and then.
+std::vector<golden::Word> clearing_slb_stream(const golden::HardwareConfig& config);
+
 /// One command.
 std::vector<golden::Word> slb_command(golden::slb::SlbOp op, std::uint8_t flags, std::uint32_t arg,
                                       const std::vector<golden::Word>& items);

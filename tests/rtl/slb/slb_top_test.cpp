@@ -89,6 +89,10 @@ TYPED_TEST(SlbTop, AnswersPointsOnLinesAsGolden) {
   this->compare("diagonal", diagonal_slb_stream(SlbBuild<TypeParam>::config()), {}, 1);
 }
 
+TYPED_TEST(SlbTop, StaysClearedWhenGenerationsComeRound) {
+  this->compare("clearing", clearing_slb_stream(SlbBuild<TypeParam>::config()), {}, 1);
+}
+
 TYPED_TEST(SlbTop, SaturatesWindingNumbersAsGolden) {
   for (const std::uint32_t seed : {1u, 2u}) {
     this->compare("piled", piled_slb_stream(seed, SlbBuild<TypeParam>::config()), {}, seed);
