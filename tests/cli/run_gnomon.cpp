@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -51,6 +52,21 @@ std::string content(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// Until the child has used this much of a processor, however busy the machine is, or has ended.
+void wait_for_cpu_time(pid_t child, std::chrono::nanoseconds enough) {
+  clockid_t clock{};
+  if (clock_getcpuclockid(child, &clock) != 0) return;
+  timespec used{};
+  while (clock_gettime(clock, &used) == 0 &&
+         std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec) < enough) {
+    siginfo_t ended{};
+    if (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        ended.si_pid == child)
+      return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
 }  // namespace
 
 Outcome run_gnomon(const std::vector<std::string>& arguments, const HowToRun& how) {
@@ -60,7 +76,7 @@ Outcome run_gnomon(const std::vector<std::string>& arguments, const HowToRun& ho
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) become_gnomon(arguments, how, out, err);
   if (how.interrupt_at) {
-    std::this_thread::sleep_for(*how.interrupt_at);
+    wait_for_cpu_time(child, *how.interrupt_at);
     kill(child, SIGINT);
   }
   int status = 0;

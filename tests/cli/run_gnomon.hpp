@@ -19,7 +19,7 @@ struct HowToRun {
   std::vector<std::string> environment;                   ///< "NAME=value", added to this process's
   std::filesystem::path directory;                        ///< working directory; empty: this process's
   bool as_nobody = false;                                 ///< without root's rights
-  std::optional<std::chrono::milliseconds> interrupt_at;  ///< SIGINT after this time
+  std::optional<std::chrono::milliseconds> interrupt_at;  ///< SIGINT after so much CPU time of the program
 };
 
 /// Runs `gnomon arguments...` to its end. Throws std::system_error if it cannot be started.
