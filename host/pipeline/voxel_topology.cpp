@@ -71,7 +71,7 @@ void VoxelTopology::describe(const EngineAnswers&, report::RunRecord& record) co
   lists.node_bits = (std::uint64_t{1} << nodes) * (1 + nodes + d + quads);
   lists.record_bits =
       (std::uint64_t{1} << quads) *
-      static_cast<std::uint64_t>(2 * (config_.plane_log2 + 2) + 8 * (config_.span_log2 + config_.sub_bits));
+      static_cast<std::uint64_t>(2 * config_.span_log2 + 8 * (config_.span_log2 + config_.sub_bits));
 }
 
 }  // namespace
