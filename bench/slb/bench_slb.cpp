@@ -42,6 +42,7 @@ std::vector<QueryPoint> points(const SlbConfig& config, int count) {
   const double step =
       static_cast<double>(config.side()) * static_cast<double>(std::int64_t{1} << config.query_bits) / side;
   std::vector<QueryPoint> list;
+  list.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     list.push_back({static_cast<std::int64_t>((i % side + 0.37) * step),
                     static_cast<std::int64_t>((i / side % side + 0.41) * step), 2000});
