@@ -40,6 +40,7 @@ constexpr int kCannotStart = 126;
   std::vector<char*> words;
   std::vector<std::string> copies{GNOMON_PROGRAM};
   copies.insert(copies.end(), arguments.begin(), arguments.end());
+  words.reserve(copies.size() + 1);
   for (std::string& copy : copies) words.push_back(copy.data());
   words.push_back(nullptr);
   fexecve(program, words.data(), environ);
