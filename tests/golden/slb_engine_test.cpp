@@ -19,7 +19,6 @@ namespace {
 using golden::ErrorCode;
 using golden::HardwareConfig;
 using golden::Header;
-using golden::StreamWriter;
 using golden::Word;
 using golden::slb::SlbOp;
 
@@ -43,6 +42,7 @@ std::vector<Word> slb(SlbOp which, std::uint8_t flags = 0) {
   const std::vector<golden::slb::Vertex> triangle{
       {pixel, pixel, 9}, {6 * pixel, 2 * pixel, 9}, {3 * pixel, 7 * pixel, 9}};
   std::vector<Word> items;
+  items.reserve(triangle.size());
   for (const auto& vertex : triangle) items.push_back(encode(vertex, config));
   return command({op(which), flags, 3, 0}, items);
 }

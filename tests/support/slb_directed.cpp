@@ -13,7 +13,6 @@ namespace gnomon::stimulus {
 namespace {
 
 using golden::HardwareConfig;
-using golden::Header;
 using golden::Word;
 using golden::slb::CoverSample;
 using golden::slb::QueryPoint;

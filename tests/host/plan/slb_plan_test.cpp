@@ -122,7 +122,7 @@ TEST_F(SlbPlanTest, EveryPixelInsideASheetHasASampleThatIsNotNearer) {
   golden::StreamWriter writer(made.config);
   const std::vector<std::vector<SheetSample>> samples{sheet_samples(made, surfaces_[0], voxels_, 0, false)};
   draw_casters(writer, made, *outlines, samples);
-  std::vector<int> of_pixel(256 * 256);
+  std::vector<int> of_pixel(std::size_t{256} * 256);
   for (const golden::Word word : items(writer, SlbOp::Cover)) {
     const auto sample = golden::slb::decode_cover(word, made.config.slb_config());
     ++of_pixel.at(static_cast<std::size_t>(sample.row * 256 + sample.column));
@@ -133,8 +133,10 @@ TEST_F(SlbPlanTest, EveryPixelInsideASheetHasASampleThatIsNotNearer) {
     const auto sample = golden::slb::decode_cover(word, made.config.slb_config());
     ASSERT_LE(sample.range, 20u);
   }
-  for (double x = 20.5; x < 33.5; x += 0.01)
-    for (double y = 20.5; y < 29.5; y += 0.1) {
+  for (int i = 0; i < 1300; ++i)
+    for (int j = 0; j < 90; ++j) {
+      const double x = 20.5 + 0.01 * i;
+      const double y = 20.5 + 0.1 * j;
       const Vec2 at = made.plane.pixel({x, y, 20});
       const auto pixel = static_cast<std::size_t>(std::floor(at.y) * 256 + std::floor(at.x));
       ASSERT_EQ(of_pixel[pixel], 1) << x << ' ' << y;

@@ -32,9 +32,11 @@ TEST(Bend, BoundsTheSagOfEveryPart) {
     const double width = *rc::gen::inRange(1, 9) / 8.0 * (1 - u0);
     const double height = *rc::gen::inRange(1, 9) / 8.0 * (1 - v0);
     const Bend bend = Bend::of(patch, u0, u0 + width, v0, v0 + height);
-    for (const double part : {1.0, 0.5, 0.25}) {
-      for (double s = 0; s < 1; s += part) {
-        for (double t = 0; t < 1; t += part, ++parts) {
+    for (const int count : {1, 2, 4}) {
+      const double part = 1.0 / count;
+      for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < count; ++j, ++parts) {
+          const double s = i * part, t = j * part;
           const auto point = [&](double x, double y) {
             return at(patch, u0 + width * (s + part * x), v0 + height * (t + part * y));
           };

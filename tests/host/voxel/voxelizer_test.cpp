@@ -201,8 +201,9 @@ TEST(Voxelizer, LeavesOfSixNeighboursLieCloseToTheSurface) {
       const Vec3 lower = (at(1, 0) - p).cross(at(1, 1) - p).normalized();
       const Vec3 upper = (at(1, 1) - p).cross(at(0, 1) - p).normalized();
       for (int i = 0; i < 16; ++i) {
-        const double x = i % 4 / 4.0 + 0.125;
-        const double y = i / 4 / 4.0 + 0.125;
+        const int column = i % 4, row = i / 4;
+        const double x = column / 4.0 + 0.125;
+        const double y = row / 4.0 + 0.125;
         farthest = std::max(farthest, std::abs((at(x, y) - p).dot(x > y ? lower : upper)));
       }
     }

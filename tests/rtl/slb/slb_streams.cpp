@@ -90,6 +90,7 @@ class Crowd {
     std::vector<Word> items;
     const std::int64_t middle = std::int64_t{config_.side()} << (config_.query_bits - 1);
     const std::int64_t reach = std::int64_t{4} << config_.query_bits;
+    items.reserve(500);
     for (int point = 0; point < 500; ++point) {
       items.push_back(encode(golden::slb::QueryPoint{middle + random_.integer(-reach, reach),
                                                      middle + random_.integer(-reach, reach), depth()},

@@ -17,8 +17,6 @@
 namespace gnomon::rtl_test {
 namespace {
 
-using golden::HardwareConfig;
-
 template <class Model>
 class SlbTop : public testing::Test {
  protected:

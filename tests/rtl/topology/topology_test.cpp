@@ -118,9 +118,11 @@ TYPED_TEST(TopologyPools, TheyRunOutAndVoxelsFallBack) {
   const TopologyConfig config = TypeParam::config();
   stimulus::Random random(7);
   std::vector<Quad> quads;
+  quads.reserve(700);
   for (int i = 0; i < 700; ++i)
     quads.push_back(test::random_quad(random, config, 2 * ulps_per_entry(config)));
   std::vector<Item> voxels;
+  voxels.reserve(600);
   for (int i = 0; i < 600; ++i) voxels.push_back(test::random_item(random, config));
   const Program program = {set(light(config, {0.3, 0.2, -1})),
                            put(quads, config),
