@@ -2,8 +2,7 @@
 // Words of the command and result streams, and the widths that follow from the parameters: the one source in
 // SystemVerilog, written from docs/command-stream.md and docs/vpu.md and compared with the C++ codec by tests/rtl.
 
-// A module elaborated by itself uses only some of the constants.
-/* verilator lint_off UNUSEDPARAM */
+/* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
 package gnomon_pkg;
 
   localparam int unsigned WORD_BITS = 64;

@@ -4,7 +4,7 @@
 // be chosen when the simulation starts.
 
 /* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
-/* verilator lint_off UNUSEDSIGNAL */
+/* verilator lint_off UNUSEDSIGNAL */  // likewise, of the faults chosen at run time, which are variables
 package mutations_pkg;
 
 `ifdef GNOMON_MUTATE_TIES_REPLACE
