@@ -258,18 +258,20 @@ Pictures Job::draw() {
   const auto objects = static_cast<std::uint32_t>(surfaces_.size());
   const std::vector<render::Material> materials =
       render::default_materials(objects, ground_of(request_.scene).value_or(objects));
-  const render::Light light{light_};
+  const Light light = DirectionalLight{light_.normalized()};
   Pictures pictures;
   pictures.picture = stage("picture", [&] {
     const render::PictureOptions options = picture_options("picture");
+    const render::StateShadows states{light, answers_.voxels};
     if (!technique_->answers_points())
-      return picture_scene_->render(camera(), light, materials, answers_.voxels, options);
+      return picture_scene_->render(camera(), std::span(&states, 1), materials, options);
     const std::span<const std::uint8_t> points = answers_.points;
-    return picture_scene_->render(camera(), light, materials, visible_, points.last(visible_.points.size()),
-                                  options);
+    const render::PointShadows shadows{light, visible_, points.last(visible_.points.size())};
+    return picture_scene_->render(camera(), std::span(&shadows, 1), materials, options);
   });
   pictures.reference = stage("reference picture", [&] {
-    return picture_scene_->render_reference(camera(), light, materials, *exact_,
+    const render::ExactShadows exact{light, *exact_};
+    return picture_scene_->render_reference(camera(), std::span(&exact, 1), materials,
                                             picture_options("reference picture"));
   });
   pictures.memory = stage("memory picture", [&] { return technique_->memory_picture(golden_.results); });

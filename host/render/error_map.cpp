@@ -20,6 +20,19 @@ struct Wrong {
   double false_shadow = 0, false_lit = 0;  ///< shares of the pixel's samples
 };
 
+Wrong wrong_in_sample(const Picture& picture, const Picture& reference, std::size_t sample) {
+  const std::size_t samples = picture.mask.size() / picture.lights;
+  Wrong wrong;
+  for (std::size_t at = sample; at < picture.mask.size(); at += samples) {
+    const MaskValue given = picture.mask[at];
+    const MaskValue exact = reference.mask[at];
+    if (given == MaskValue::Shadow && exact == MaskValue::Lit) wrong.false_shadow += 1;
+    if (given == MaskValue::Lit && exact == MaskValue::Shadow) wrong.false_lit += 1;
+  }
+  const double lights = std::max(1.0, wrong.false_shadow + wrong.false_lit);
+  return {wrong.false_shadow / lights, wrong.false_lit / lights};
+}
+
 Wrong wrong_in_pixel(const Picture& picture, const Picture& reference, std::size_t px, std::size_t py,
                      std::size_t super) {
   const std::size_t row = static_cast<std::size_t>(picture.image.width) * super;
@@ -27,10 +40,9 @@ Wrong wrong_in_pixel(const Picture& picture, const Picture& reference, std::size
   Wrong wrong;
   for (std::size_t sy = py * super; sy < (py + 1) * super; ++sy)
     for (std::size_t sx = px * super; sx < (px + 1) * super; ++sx) {
-      const MaskValue given = picture.mask[sy * row + sx];
-      const MaskValue exact = reference.mask[sy * row + sx];
-      if (given == MaskValue::Shadow && exact == MaskValue::Lit) wrong.false_shadow += weight;
-      if (given == MaskValue::Lit && exact == MaskValue::Shadow) wrong.false_lit += weight;
+      const Wrong sample = wrong_in_sample(picture, reference, sy * row + sx);
+      wrong.false_shadow += weight * sample.false_shadow;
+      wrong.false_lit += weight * sample.false_lit;
     }
   return wrong;
 }
@@ -47,9 +59,10 @@ Image error_map(const Picture& picture, const Picture& reference) {
   const std::size_t pixels =
       static_cast<std::size_t>(picture.image.width) * static_cast<std::size_t>(picture.image.height);
   if (picture.image.width != reference.image.width || picture.image.height != reference.image.height ||
-      picture.mask.size() != reference.mask.size() || pixels == 0)
+      picture.mask.size() != reference.mask.size() || picture.lights != reference.lights ||
+      picture.lights == 0 || pixels == 0)
     throw std::invalid_argument("the picture and its reference differ in size");
-  const std::size_t samples_per_pixel = picture.mask.size() / pixels;
+  const std::size_t samples_per_pixel = picture.mask.size() / picture.lights / pixels;
   const auto super = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(samples_per_pixel))));
   const auto width = static_cast<std::size_t>(picture.image.width);
   Image map{picture.image.width, picture.image.height, std::vector<std::uint8_t>(3 * pixels)};

@@ -14,6 +14,7 @@
 #include "host/metrics/parametric_mesh.hpp"
 #include "host/metrics/progress.hpp"
 #include "host/metrics/ray_scene.hpp"
+#include "host/metrics/voxel_index.hpp"
 #include "host/render/camera_rays.hpp"
 #include "host/render/shading.hpp"
 
@@ -27,14 +28,19 @@ struct Seen {
   std::size_t sample = 0;
   std::uint32_t object = 0, subpatch = 0, face = 0;
   double u = 0, v = 0;
+  Vec3 point{0, 0, 0};   ///< on the triangle
   Vec3 normal{0, 0, 0};  ///< interpolated between limit normals
 };
 
-/// What a shadow source says about it.
+/// What a shadow source says about it, for one light.
 struct ShadowAnswer {
   MaskValue mask;
   LightShare share;
 };
+
+ShadowAnswer answer(bool dark) {
+  return {dark ? MaskValue::Shadow : MaskValue::Lit, light_share(dark ? 4 : 0)};
+}
 
 struct ObjectMesh {
   metrics::ParametricMesh mesh;           ///< points are in Embree alone once it is built
@@ -85,6 +91,7 @@ struct PictureScene::Impl {
     const std::array<double, 3> weights = {1.0 - hit->b - hit->c, hit->b, hit->c};
     Seen seen;
     seen.object = hit->mesh;
+    seen.point = eye + direction * double{hit->distance};
     seen.subpatch = objects[hit->mesh].subpatches[mesh.rect_of_triangle[hit->triangle]];
     seen.face = voxels.subpatches[seen.subpatch].face;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -95,25 +102,26 @@ struct PictureScene::Impl {
     return seen;
   }
 
-  ShadowAnswer from_states(const Seen& seen, std::span<const golden::VoxelState> states) const {
+  ShadowAnswer from_states(const Seen& seen, const StateShadows& shadows) const {
     const voxel::Subpatch& p = voxels.subpatches[seen.subpatch];
-    std::array<bool, 4> dark{};
-    int count = 0;
+    std::array<bool, 4> reached{}, dark{};
     for (std::size_t k = 0; k < 4; ++k) {
-      dark[k] = states[p.corner[k]] == golden::VoxelState::Shadow;
-      count += dark[k] ? 1 : 0;
+      reached[k] = light_reaches(shadows.light, metrics::representative(voxels.voxels[p.corner[k]]));
+      dark[k] = reached[k] && shadows.states[p.corner[k]] == golden::VoxelState::Shadow;
     }
+    const auto count = std::ranges::count(dark, true);
+    const bool all_dark = count == std::ranges::count(reached, true);
     const bool high_u = seen.u > 0.5 * (double{p.u0} + p.u1);
     const bool high_v = seen.v > 0.5 * (double{p.v0} + p.v1);
     const std::size_t nearest = high_v ? (high_u ? 2 : 3) : (high_u ? 1 : 0);
-    return {dark[nearest] ? MaskValue::Shadow : MaskValue::Lit, light_share(count)};
+    const bool mask = reached[nearest] ? dark[nearest] : all_dark;
+    return {mask ? MaskValue::Shadow : MaskValue::Lit, light_share(all_dark ? 4 : static_cast<int>(count))};
   }
 
   ShadowAnswer from_reference(const Seen& seen, const metrics::ExactReference& reference) const {
     const surface::LimitSurface& surface = surfaces[seen.object];
-    const bool dark = reference.occluded(surface.position(seen.face, seen.u, seen.v),
-                                         surface.normal(seen.face, seen.u, seen.v), seen.object);
-    return {dark ? MaskValue::Shadow : MaskValue::Lit, light_share(dark ? 4 : 0)};
+    return answer(reference.occluded(surface.position(seen.face, seen.u, seen.v),
+                                     surface.normal(seen.face, seen.u, seen.v), seen.object));
   }
 
   Receiver receiver(const Seen& seen, const metrics::ExactReference& reference) const {
@@ -124,9 +132,10 @@ struct PictureScene::Impl {
             static_cast<float>(facing)};
   }
 
-  template <class Shadow>
-  Picture draw(const Camera& camera, const Light& light, std::span<const Material> materials,
-               const PictureOptions& options, const Shadow& shadow) const;
+  /// `shadow(seen, lights[i])` answers where lights[i].light reaches.
+  template <class Shadows, class Answer>
+  Picture draw(const Camera& camera, std::span<const Shadows> lights, std::span<const Material> materials,
+               const PictureOptions& options, const Answer& shadow) const;
 
   std::span<const surface::LimitSurface> surfaces;
   const voxel::VoxelSet& voxels;
@@ -135,47 +144,51 @@ struct PictureScene::Impl {
   std::size_t triangles = 0;
 };
 
-template <class Shadow>
-Picture PictureScene::Impl::draw(const Camera& camera, const Light& light,
+template <class Shadows, class Answer>
+Picture PictureScene::Impl::draw(const Camera& camera, std::span<const Shadows> lights,
                                  std::span<const Material> materials, const PictureOptions& options,
-                                 const Shadow& shadow) const {
+                                 const Answer& shadow) const {
   check(options);
+  if (lights.empty()) throw std::invalid_argument("a picture needs a light");
   if (materials.size() < surfaces.size()) throw std::invalid_argument("every object needs a material");
   const CameraRays rays(camera, static_cast<double>(options.width) / options.height);
-  const Vec3 to_light = -light.travel.normalized();
   const Vec3 up = camera.up.normalized();
   const auto width = static_cast<std::size_t>(options.width);
   const auto height = static_cast<std::size_t>(options.height);
   const auto super = static_cast<std::size_t>(options.supersample);
+  const std::size_t samples = width * height * super * super;
   Picture picture;
   picture.image = {options.width, options.height, std::vector<std::uint8_t>(3 * width * height)};
-  picture.mask.resize(width * height * super * super);
+  picture.lights = lights.size();
+  picture.mask.assign(lights.size() * samples, MaskValue::Background);
 
-  const auto sample = [&](std::size_t sx, std::size_t sy) {
+  const auto sample = [&](std::size_t sx, std::size_t sy, std::span<LightTerm> terms) {
     const double x = (static_cast<double>(sx) + 0.5) / static_cast<double>(width * super);
     const double y = (static_cast<double>(sy) + 0.5) / static_cast<double>(height * super);
     const Vec3 direction = rays.direction(x, y);
     std::optional<Seen> seen = look(rays.eye(), direction);
-    const std::size_t number = sy * width * super + sx;
-    MaskValue& mask = picture.mask[number];
-    mask = MaskValue::Background;
     if (!seen) return background(y);
-    seen->sample = number;
-    const ShadowAnswer answer = shadow(*seen);
-    mask = answer.mask;
+    seen->sample = sy * width * super + sx;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const ShadowAnswer said =
+          light_reaches(lights[i].light, seen->point) ? shadow(*seen, lights[i]) : answer(true);
+      picture.mask[i * samples + seen->sample] = said.mask;
+      terms[i] = {-light_way(lights[i].light, seen->point), said.share};
+    }
     Vec3 normal = seen->normal.normalized();
     if (normal.dot(direction) > 0) normal = -normal;
-    return shade({normal, -direction, to_light, up}, materials[seen->object], answer.share);
+    return shade({normal, -direction, up}, materials[seen->object], terms);
   };
   metrics::Progress progress(height, options.progress, options.cancelled);
   tbb::parallel_for(std::size_t{0}, height, [&](std::size_t py) {
+    std::vector<LightTerm> terms(lights.size());
     for (std::size_t px = 0; px < width; ++px) {
       std::array<double, 3> sum{};
       bool empty = true;
       for (std::size_t s = 0; s < super * super; ++s) {
         const std::size_t sx = px * super + s % super;
         const std::size_t sy = py * super + s / super;
-        const Color color = sample(sx, sy);
+        const Color color = sample(sx, sy, terms);
         empty = empty && picture.mask[sy * width * super + sx] == MaskValue::Background;
         // Clamped before the mean, so that a bright highlight's outline is smoothed too.
         for (std::size_t k = 0; k < 3; ++k) sum[k] += std::min(1.0, double{color[k]});
@@ -196,14 +209,16 @@ PictureScene::PictureScene(PictureScene&&) noexcept = default;
 PictureScene& PictureScene::operator=(PictureScene&&) noexcept = default;
 PictureScene::~PictureScene() = default;
 
-Picture PictureScene::render(const Camera& camera, const Light& light, std::span<const Material> materials,
-                             std::span<const golden::VoxelState> states,
-                             const PictureOptions& options) const {
-  if (states.size() != impl_->voxels.voxels.size())
-    throw std::invalid_argument(std::to_string(states.size()) + " voxel states given, " +
-                                std::to_string(impl_->voxels.voxels.size()) + " expected");
-  return impl_->draw(camera, light, materials, options,
-                     [&](const Seen& seen) { return impl_->from_states(seen, states); });
+Picture PictureScene::render(const Camera& camera, std::span<const StateShadows> lights,
+                             std::span<const Material> materials, const PictureOptions& options) const {
+  for (const StateShadows& light : lights) {
+    if (light.states.size() != impl_->voxels.voxels.size())
+      throw std::invalid_argument(std::to_string(light.states.size()) + " voxel states given, " +
+                                  std::to_string(impl_->voxels.voxels.size()) + " expected");
+  }
+  return impl_->draw(camera, lights, materials, options, [&](const Seen& seen, const StateShadows& shadows) {
+    return impl_->from_states(seen, shadows);
+  });
 }
 
 VisiblePoints PictureScene::visible_points(const Camera& camera, const metrics::ExactReference& reference,
@@ -237,27 +252,27 @@ VisiblePoints PictureScene::visible_points(const Camera& camera, const metrics::
   return visible;
 }
 
-Picture PictureScene::render(const Camera& camera, const Light& light, std::span<const Material> materials,
-                             const VisiblePoints& points, std::span<const std::uint8_t> shadowed,
-                             const PictureOptions& options) const {
+Picture PictureScene::render(const Camera& camera, std::span<const PointShadows> lights,
+                             std::span<const Material> materials, const PictureOptions& options) const {
   check(options);
   const std::size_t samples = static_cast<std::size_t>(options.width) *
                               static_cast<std::size_t>(options.height) *
                               static_cast<std::size_t>(options.supersample * options.supersample);
-  if (shadowed.size() != points.points.size() || points.of_sample.size() != samples)
-    throw std::invalid_argument("answers, visible points and picture do not belong together");
-  return impl_->draw(camera, light, materials, options, [&](const Seen& seen) {
-    const bool dark = shadowed[points.of_sample[seen.sample]] != 0;
-    return ShadowAnswer{dark ? MaskValue::Shadow : MaskValue::Lit, light_share(dark ? 4 : 0)};
+  for (const PointShadows& light : lights) {
+    if (light.shadowed.size() != light.points.points.size() || light.points.of_sample.size() != samples)
+      throw std::invalid_argument("answers, visible points and picture do not belong together");
+  }
+  return impl_->draw(camera, lights, materials, options, [](const Seen& seen, const PointShadows& shadows) {
+    return answer(shadows.shadowed[shadows.points.of_sample[seen.sample]] != 0);
   });
 }
 
-Picture PictureScene::render_reference(const Camera& camera, const Light& light,
+Picture PictureScene::render_reference(const Camera& camera, std::span<const ExactShadows> lights,
                                        std::span<const Material> materials,
-                                       const metrics::ExactReference& reference,
                                        const PictureOptions& options) const {
-  return impl_->draw(camera, light, materials, options,
-                     [&](const Seen& seen) { return impl_->from_reference(seen, reference); });
+  return impl_->draw(camera, lights, materials, options, [&](const Seen& seen, const ExactShadows& shadows) {
+    return impl_->from_reference(seen, shadows.reference);
+  });
 }
 
 std::size_t PictureScene::triangles() const {

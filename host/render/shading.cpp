@@ -36,15 +36,22 @@ double diffuse_share(int corners_in_shadow) {
   return light_share(corners_in_shadow).diffuse;
 }
 
-Color shade(const ShadingPoint& point, const Material& material, const LightShare& share) {
+double light_strength(std::size_t lights) {
+  return lights < 2 ? 1.0 : std::pow(static_cast<double>(lights), -0.75);
+}
+
+Color shade(const ShadingPoint& point, const Material& material, std::span<const LightTerm> lights) {
   const Color ambient = blend(kBounce, kSky, 0.5 + 0.5 * point.normal.dot(point.up));
-  const double facing = std::max(0.0, point.normal.dot(point.to_light));
-  const double diffuse = share.diffuse * facing;
+  const double strength = light_strength(lights.size());
+  double diffuse = 0;
   double specular = 0;
-  if (share.highlight && facing > 0) {
-    const Vec3 half = (point.to_light + point.to_eye).normalized();
-    specular =
-        material.specular * std::pow(std::max(0.0, point.normal.dot(half)), double{material.shininess});
+  for (const LightTerm& light : lights) {
+    const double facing = std::max(0.0, point.normal.dot(light.to_light));
+    diffuse += strength * light.share.diffuse * facing;
+    if (!light.share.highlight || facing == 0) continue;
+    const Vec3 half = (light.to_light + point.to_eye).normalized();
+    specular += strength * material.specular *
+                std::pow(std::max(0.0, point.normal.dot(half)), double{material.shininess});
   }
   Color color{};
   for (std::size_t k = 0; k < 3; ++k)

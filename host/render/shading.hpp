@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "host/base/vec.hpp"
 #include "host/render/view.hpp"
@@ -24,11 +25,23 @@ LightShare light_share(int corners_in_shadow);
 
 /// One surface point as the camera sees it; unit vectors, `normal` on the camera's side.
 struct ShadingPoint {
-  Vec3 normal, to_eye, to_light, up;
+  Vec3 normal, to_eye, up;
 };
 
-/// Ambient light comes from a sky brighter than the ground, so that shadows keep some shape.
-Color shade(const ShadingPoint& point, const Material& material, const LightShare& share);
+/// One light at that point.
+struct LightTerm {
+  Vec3 to_light;  ///< unit length
+  LightShare share;
+};
+
+/// Ambient light once, and each light's diffuse and specular terms; each counts
+/// light_strength(lights.size()). Ambient light comes from a sky brighter than the ground, so that shadows
+/// keep some shape.
+Color shade(const ShadingPoint& point, const Material& material, std::span<const LightTerm> lights);
+
+/// How strong each of several equal lights is, 1 for a single one: a scene with more lights is brighter where
+/// all of them reach, and not white.
+double light_strength(std::size_t lights);
 
 /// Behind everything: `height` runs from 0 at the picture's bottom to 1 at its top.
 Color background(double height);

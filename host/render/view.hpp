@@ -8,12 +8,8 @@
 #include <vector>
 
 #include "host/base/vec.hpp"
-#include "host/metrics/exact_reference.hpp"
-#include "host/voxel/voxel_set.hpp"
 
 namespace gnomon::render {
-
-using Light = metrics::DirectionalLight;
 
 /// A pinhole camera, in grid coordinates.
 struct Camera {

@@ -17,7 +17,7 @@ using golden::VoxelState;
 using metrics::MaskValue;
 
 const Material kDull = {{0.5f, 0.4f, 0.3f}, 0.0f, 10};
-const Light kOverhead = {{0, 0, -1}};
+const Light kOverhead = DirectionalLight{{0, 0, -1}};
 
 PictureOptions small(int width, int height, int supersample = 1) {
   PictureOptions options;
@@ -29,6 +29,16 @@ PictureOptions small(int width, int height, int supersample = 1) {
 
 std::size_t count(const Picture& picture, MaskValue value) {
   return static_cast<std::size_t>(std::count(picture.mask.begin(), picture.mask.end(), value));
+}
+
+template <class Shadows>
+Picture render_one(const PictureScene& scene, const Camera& camera, const Shadows& light,
+                   std::span<const Material> materials, const PictureOptions& options) {
+  return scene.render(camera, std::span(&light, 1), materials, options);
+}
+Picture from_states(const PictureScene& scene, const Camera& camera, const std::vector<VoxelState>& states,
+                    const PictureOptions& options) {
+  return render_one(scene, camera, StateShadows{kOverhead, states}, std::vector{kDull}, options);
 }
 
 /// One subpatch, made by hand, that fills the view.
@@ -54,8 +64,9 @@ TEST(Picture, AllSixteenCornerCombinationsFollowTheRule) {
       states.push_back((bits >> k & 1) != 0 ? VoxelState::Shadow : VoxelState::Lit);
       dark += (bits >> k & 1) != 0 ? 1 : 0;
     }
-    const Picture p = picture.render(scene.camera, kOverhead, std::vector{kDull}, states, small(8, 8));
-    const Color expected = shade({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}}, kDull, light_share(dark));
+    const Picture p = from_states(picture, scene.camera, states, small(8, 8));
+    const LightTerm above{{0, 0, 1}, light_share(dark)};
+    const Color expected = shade({{0, 0, 1}, {0, 0, 1}, {0, 1, 0}}, kDull, std::span(&above, 1));
     for (std::size_t pixel = 0; pixel < 64; ++pixel)
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_EQ(p.image.rgb[3 * pixel + k], to_srgb(double{expected[k]})) << bits;
@@ -94,12 +105,12 @@ TEST_P(ClosedSurfaces, NoBackgroundShowsThroughFromInsideOrOutside) {
   // From inside every ray must end on the surface; two wide views see nearly all of it.
   for (const double z : {-1.0, 1.0}) {
     const Camera inside{{32.1, 31.7, 32.3}, {32.1, 31.7, 32.3 + z}, {0, 1, 0}, 160};
-    const Picture p = scene.render(inside, kOverhead, std::vector{kDull}, states, small(1000, 1000));
+    const Picture p = from_states(scene, inside, states, small(1000, 1000));
     EXPECT_EQ(p.mask.size(), 1000000u);
     EXPECT_EQ(count(p, MaskValue::Background), 0u);
   }
   const Camera outside{{150, 120, 90}, {32, 32, 32}, {0, 0, 1}, 3};
-  const Picture p = scene.render(outside, kOverhead, std::vector{kDull}, states, small(600, 600));
+  const Picture p = from_states(scene, outside, states, small(600, 600));
   EXPECT_EQ(count(p, MaskValue::Background), 0u);
 }
 
@@ -115,8 +126,7 @@ TEST(Picture, AMissingSubpatchIsSeenAsAHole) {
   std::size_t holes = 0;
   for (const double z : {-1.0, 1.0}) {
     const Camera inside{{32.1, 31.7, 32.3}, {32.1, 31.7, 32.3 + z}, {0, 1, 0}, 160};
-    holes += count(scene.render(inside, kOverhead, std::vector{kDull}, states, small(1000, 1000)),
-                   MaskValue::Background);
+    holes += count(from_states(scene, inside, states, small(1000, 1000)), MaskValue::Background);
   }
   EXPECT_GT(holes, 0u);
 }
@@ -128,7 +138,7 @@ class BoxOnGround : public testing::Test {
       : surfaces_(fixtures::surfaces(
             {fixtures::box({20, 20, 6.5}, {34, 34, 20}, true), fixtures::sheet(3, 3, 61, 61, 6.5, 4, 4)})),
         voxels_(fixtures::voxels(surfaces_, 64)),
-        reference_(surfaces_, {false, true}, light_),
+        reference_(surfaces_, {false, true}, metrics::DirectionalLight{Vec3(1, 0.4, -1).normalized()}),
         scene_(surfaces_, voxels_) {
     for (const voxel::Voxel& v : voxels_.voxels) {
       const bool dark =
@@ -139,13 +149,14 @@ class BoxOnGround : public testing::Test {
   }
 
   Picture from_states(const PictureOptions& options) const {
-    return scene_.render(camera_, light_, materials_, states_, options);
+    return render_one(scene_, camera_, StateShadows{light_, states_}, materials_, options);
   }
   Picture exact(const PictureOptions& options) const {
-    return scene_.render_reference(camera_, light_, materials_, reference_, options);
+    const ExactShadows exact{light_, reference_};
+    return scene_.render_reference(camera_, std::span(&exact, 1), materials_, options);
   }
 
-  Light light_{{1, 0.4, -1}};
+  Light light_ = DirectionalLight{Vec3(1, 0.4, -1).normalized()};
   Camera camera_{{60, -45, 70}, {34, 32, 8}, {0, 0, 1}, 36};
   std::vector<Material> materials_ = default_materials(2, 1);
   std::vector<surface::LimitSurface> surfaces_;
@@ -191,20 +202,24 @@ TEST_F(BoxOnGround, ExactAnswersAtTheVisiblePointsGiveTheReference) {
     ++seen;
   }
   EXPECT_EQ(seen, visible.points.size());
-  const Picture answered = scene_.render(camera_, light_, materials_, visible, shadowed, options);
+  const auto answer = [&] {
+    return render_one(scene_, camera_, PointShadows{light_, visible, shadowed}, materials_, options);
+  };
+  const Picture answered = answer();
   EXPECT_EQ(answered.image.rgb, reference.image.rgb);
   EXPECT_EQ(answered.mask, reference.mask);
 
   for (const Receiver& p : visible.points) ASSERT_GE(p.z, 6.49f);
   shadowed.pop_back();
-  EXPECT_THROW(scene_.render(camera_, light_, materials_, visible, shadowed, options), std::invalid_argument);
+  EXPECT_THROW(answer(), std::invalid_argument);
 }
 
 TEST_F(BoxOnGround, ThePictureDoesNotDependOnTheNumberOfThreads) {
   const Picture more = from_states(small(160, 120, 2));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   const PictureScene again(surfaces_, voxels_);
-  const Picture one = again.render(camera_, light_, materials_, states_, small(160, 120, 2));
+  const Picture one =
+      render_one(again, camera_, StateShadows{light_, states_}, materials_, small(160, 120, 2));
   EXPECT_EQ(one.image.rgb, more.image.rgb);
   EXPECT_EQ(one.mask, more.mask);
 }
@@ -226,6 +241,8 @@ TEST_F(BoxOnGround, ReportsProgressAndCanBeCancelled) {
 TEST_F(BoxOnGround, RefusesWhatDoesNotFit) {
   EXPECT_THROW(from_states(small(0, 10)), std::invalid_argument);
   EXPECT_THROW(from_states(small(10, 10, 17)), std::invalid_argument);
+  EXPECT_THROW(scene_.render(camera_, std::span<const StateShadows>(), materials_, small(10, 10)),
+               std::invalid_argument);
   states_.pop_back();
   EXPECT_THROW(from_states(small(10, 10)), std::invalid_argument);
   materials_.pop_back();

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <span>
 #include <stdexcept>
 
 #include "host/render/picture.hpp"
@@ -11,9 +13,17 @@
 namespace gnomon::render {
 namespace {
 
-const ShadingPoint kTowardsLight = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}};
+const ShadingPoint kPoint = {{0, 0, 1}, {0, 0, 1}, {0, 1, 0}};
 const Material kShiny = {{0.5f, 0.4f, 0.3f}, 0.5f, 10};
 const Material kDull = {{0.5f, 0.4f, 0.3f}, 0.0f, 10};
+
+Color lit_from(const Vec3& to_light, const Material& material, int corners_in_shadow) {
+  const LightTerm light{to_light, light_share(corners_in_shadow)};
+  return shade(kPoint, material, std::span(&light, 1));
+}
+Color lit_from_above(const Material& material, int corners_in_shadow) {
+  return lit_from({0, 0, 1}, material, corners_in_shadow);
+}
 
 TEST(LightShare, HalvesWithEveryCornerAndEndsAtFour) {
   EXPECT_EQ(diffuse_share(0), 1.0);
@@ -28,8 +38,8 @@ TEST(LightShare, HalvesWithEveryCornerAndEndsAtFour) {
 TEST(LightShare, OnlyAFullyLitSubpatchHasAHighlight) {
   for (int n = 0; n <= 4; ++n) {
     EXPECT_EQ(light_share(n).highlight, n == 0);
-    const Color shiny = shade(kTowardsLight, kShiny, light_share(n));
-    const Color dull = shade(kTowardsLight, kDull, light_share(n));
+    const Color shiny = lit_from_above(kShiny, n);
+    const Color dull = lit_from_above(kDull, n);
     if (n == 0)
       EXPECT_GT(shiny[0], dull[0]);
     else
@@ -38,19 +48,40 @@ TEST(LightShare, OnlyAFullyLitSubpatchHasAHighlight) {
 }
 
 TEST(Shade, KeepsTheAmbientTermWhole) {
-  const Color ambient = shade(kTowardsLight, kDull, light_share(4));
-  const Color lit = shade(kTowardsLight, kDull, light_share(0));
+  const Color ambient = lit_from_above(kDull, 4);
+  const Color lit = lit_from_above(kDull, 0);
   for (int n = 0; n <= 4; ++n) {
-    const Color color = shade(kTowardsLight, kDull, light_share(n));
+    const Color color = lit_from_above(kDull, n);
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(double{color[k] - ambient[k]}, double{lit[k] - ambient[k]} * diffuse_share(n), 1e-6);
   }
 }
 
 TEST(Shade, AwayFromTheLightThereIsAmbientLightOnly) {
-  ShadingPoint away = kTowardsLight;
-  away.to_light = {0, 0, -1};
-  EXPECT_EQ(shade(away, kShiny, light_share(0)), shade(away, kShiny, light_share(4)));
+  EXPECT_EQ(lit_from({0, 0, -1}, kShiny, 0), lit_from({0, 0, -1}, kShiny, 4));
+}
+
+TEST(Shade, LightsAddUpAndHaveSharesOfTheirOwn) {
+  const Color ambient = lit_from_above(kShiny, 4);
+  const Color alone = lit_from_above(kShiny, 0);
+  const LightTerm lit{{0, 0, 1}, light_share(0)};
+  const LightTerm dark{{0, 0, 1}, light_share(4)};
+  const LightTerm half{{0, 0, 1}, light_share(1)};
+  const double strength = light_strength(2);
+  EXPECT_LT(strength, 1.0);
+  EXPECT_GT(2 * strength, 1.0);
+  const Color both = shade(kPoint, kShiny, std::array{lit, lit});
+  const Color one = shade(kPoint, kShiny, std::array{dark, lit});
+  const Color none = shade(kPoint, kShiny, std::array{dark, dark});
+  const Color dim = shade(kPoint, kDull, std::array{half, dark});
+  EXPECT_EQ(none, ambient);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double light = double{alone[k]} - double{ambient[k]};
+    EXPECT_NEAR(double{one[k]} - double{ambient[k]}, strength * light, 1e-6);
+    EXPECT_NEAR(double{both[k]} - double{ambient[k]}, 2 * strength * light, 1e-6);
+    const double diffuse = double{lit_from_above(kDull, 0)[k]} - double{lit_from_above(kDull, 4)[k]};
+    EXPECT_NEAR(double{dim[k]} - double{lit_from_above(kDull, 4)[k]}, strength * diffuse / 2, 1e-6);
+  }
 }
 
 TEST(ToSrgb, HitsBothEndsAndTheKnownMiddle) {
