@@ -118,8 +118,7 @@ Result<std::vector<golden::Word>> SlbTechnique::stream(std::span<const Receiver>
   if (vpu_) {
     plan::VpuPlan both = *vpu_;
     both.config = config_;
-    words =
-        plan::vpu_stream(both, input_.voxels, plan::voxel_items(input_.voxels, config_), input_.two_sided);
+    words = plan::vpu_stream(both, input_.voxels, input_.two_sided);
   }
   const std::vector<voxel::Voxel>& voxels = input_.voxels.voxels;
   receivers_.resize(voxels.size());

@@ -19,8 +19,7 @@ class VoxelOffset final : public Technique {
   double pitch() const override { return plan_.projection.pitch; }
 
   Result<std::vector<golden::Word>> stream(std::span<const Receiver>) override {
-    return plan::vpu_stream(plan_, input_.voxels, plan::voxel_items(input_.voxels, plan_.config),
-                            input_.two_sided);
+    return plan::vpu_stream(plan_, input_.voxels, input_.two_sided);
   }
 
   Result<Answers> decode(std::span<const golden::Word> results) const override {
@@ -33,7 +32,8 @@ class VoxelOffset final : public Technique {
   }
 
   std::optional<std::vector<golden::VoxelState>> in_double() const override {
-    return plan::offset_states_double(plan_, input_.voxels, input_.two_sided);
+    return plan::offset_states_double(plan_, input_.voxels, plan::all_voxels(input_.voxels),
+                                      input_.two_sided);
   }
 
   void describe(const EngineAnswers& golden, report::RunRecord& record) const override {

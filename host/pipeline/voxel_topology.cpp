@@ -42,7 +42,9 @@ class VoxelTopology final : public Technique {
 
   std::optional<std::vector<VoxelState>> in_double() const override {
     const auto quads = voxel::limit_quads(input_.surfaces, input_.voxels);
-    return plan::topology_states_double(plan_, input_.voxels, quads, input_.two_sided).states;
+    return plan::topology_states_double(plan_, input_.voxels, quads,
+                                        plan::all_voxels(input_.voxels).receivers, input_.two_sided)
+        .states;
   }
 
   void describe(const EngineAnswers& golden, report::RunRecord& record) const override;

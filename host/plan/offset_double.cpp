@@ -54,11 +54,12 @@ class DepthPlane {
 }  // namespace
 
 std::vector<golden::VoxelState> offset_states_double(const VpuPlan& plan, const voxel::VoxelSet& voxels,
+                                                     const ViewVoxels& seen,
                                                      const std::vector<bool>& two_sided) {
   const Projection& projection = plan.projection;
   const Vec3 beam = projection.d / projection.codes_per_voxel;
   DepthPlane plane(projection);
-  for (const auto& voxel : voxels.voxels) plane.project(representative(voxel));
+  for (const std::uint32_t i : seen.casters) plane.project(representative(voxels.voxels[i]));
 
   const auto state = [&](const voxel::Voxel& voxel) {
     const Vec3 a = representative(voxel);
@@ -76,8 +77,9 @@ std::vector<golden::VoxelState> offset_states_double(const VpuPlan& plan, const 
     const double margin = plan.settings.margin * projection.codes_per_voxel * tangent;
     return delta > std::max(margin, 0.0) ? golden::VoxelState::Shadow : golden::VoxelState::Lit;
   };
-  std::vector<golden::VoxelState> states(voxels.voxels.size());
-  std::transform(voxels.voxels.begin(), voxels.voxels.end(), states.begin(), state);
+  std::vector<golden::VoxelState> states(seen.receivers.size());
+  std::transform(seen.receivers.begin(), seen.receivers.end(), states.begin(),
+                 [&](std::uint32_t i) { return state(voxels.voxels[i]); });
   return states;
 }
 

@@ -93,6 +93,7 @@ double published_distance(const Vec3& start, const Vec3& direction, const Vec3& 
 
 TopologyDouble topology_states_double(const TopologyPlan& plan, const voxel::VoxelSet& voxels,
                                       std::span<const voxel::LimitQuad> quads,
+                                      std::span<const std::uint32_t> receivers,
                                       const std::vector<bool>& two_sided, double lift) {
   const Projection& projection = plan.vpu.projection;
   const Vec3 beam = projection.d / projection.codes_per_voxel;
@@ -123,8 +124,9 @@ TopologyDouble topology_states_double(const TopologyPlan& plan, const voxel::Vox
     out.uncertain += uncertain ? 1U : 0U;
     return shadow ? golden::VoxelState::Shadow : golden::VoxelState::Lit;
   };
-  out.states.resize(voxels.voxels.size());
-  std::transform(voxels.voxels.begin(), voxels.voxels.end(), out.states.begin(), state);
+  out.states.resize(receivers.size());
+  std::transform(receivers.begin(), receivers.end(), out.states.begin(),
+                 [&](std::uint32_t i) { return state(voxels.voxels[i]); });
   return out;
 }
 

@@ -23,9 +23,11 @@ struct TopologyDouble {
   std::uint64_t tested = 0;  ///< quads
 };
 
-/// The plan's plane and clearance; beams start at the representatives, `lift` voxels along N.
+/// States of `receivers`, in their order, with the plan's plane and clearance; beams start at the
+/// representatives, `lift` voxels along N.
 TopologyDouble topology_states_double(const TopologyPlan& plan, const voxel::VoxelSet& voxels,
                                       std::span<const voxel::LimitQuad> quads,
+                                      std::span<const std::uint32_t> receivers,
                                       const std::vector<bool>& two_sided, double lift = 0);
 
 }  // namespace gnomon::plan

@@ -98,7 +98,15 @@ std::uint64_t count_nodes(TopologyPlan& plan, std::span<const topology::Corner> 
 
 Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<const voxel::VoxelQuad> quads,
                                    const Vec3& light, const TopologySettings& settings) {
-  auto vpu = plan_vpu(voxels, light, projection_settings(settings));
+  if (!(light.length() > 0) || !std::isfinite(light.length()))
+    return fail("light has no direction: expected three finite numbers, not all 0");
+  return plan_topology(voxels, quads, directional_view(light), all_voxels(voxels), settings);
+}
+
+Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<const voxel::VoxelQuad> quads,
+                                   const LightView& view, const ViewVoxels& seen,
+                                   const TopologySettings& settings) {
+  auto vpu = plan_vpu(voxels, view, seen, projection_settings(settings));
   if (!vpu) return tl::make_unexpected(vpu.error());
   const auto frac = static_cast<std::size_t>(vpu->config.voxel_frac_bits);
   const Choice& choice = kChoices[std::min(frac, kChoices.size() - 1)];
@@ -106,7 +114,7 @@ Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<cons
   plan.settings = settings;
   if (settings.lift < 0) {
     plan.settings.lift = choice.lift;
-    vpu = plan_vpu(voxels, light, projection_settings(plan.settings));
+    vpu = plan_vpu(voxels, view, seen, projection_settings(plan.settings));
     if (!vpu) return tl::make_unexpected(vpu.error());
   }
   if (settings.clearance < 0) plan.settings.clearance = choice.clearance;

@@ -30,26 +30,35 @@ struct TopologySettings {
   int quads_log2 = 0;  ///< 0: as many records as the scene has quads
 };
 
-/// Everything topology mode needs for one directional light.
+/// Everything topology mode needs for one view of a light.
 struct TopologyPlan {
   VpuPlan vpu;                             ///< hardware, projection, registers; OFFSET_FACTOR is the lift
   TopologySettings settings;               ///< as resolved
   std::uint32_t clearance = 0;             ///< depth codes
-  std::vector<golden::VoxelItem> items;    ///< the voxels as the hardware sees them
+  std::vector<golden::VoxelItem> items;    ///< all voxels as the hardware sees them
   std::vector<voxel::VoxelQuad> quads;     ///< in the order of the stream: a quad's number is its index
   std::vector<std::uint32_t> list_length;  ///< of every plane entry, v * side + u
 };
 
-/// `light` is the way it travels, in grid coordinates. Fails where the settings make no legal hardware.
+/// `quads` are what casts; the plane holds all of `seen`. Fails where the settings make no legal hardware.
+Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<const voxel::VoxelQuad> quads,
+                                   const LightView& view, const ViewVoxels& seen,
+                                   const TopologySettings& settings);
+/// For one directional light over all voxels: `light` is the way it travels, in grid coordinates, any length
+/// but zero.
 Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<const voxel::VoxelQuad> quads,
                                    const Vec3& light, const TopologySettings& settings);
 
-/// Registers, clear, put all, resolve all, fence. `two_sided[object]` marks open surfaces.
+/// Registers, clear, put all, resolve `receivers`. The writer's hardware may have a larger plane and larger
+/// pools than the plan. `two_sided[object]` marks open surfaces.
+void write_topology(golden::StreamWriter& writer, const TopologyPlan& plan, const voxel::VoxelSet& voxels,
+                    std::span<const std::uint32_t> receivers, const std::vector<bool>& two_sided);
+/// The same for all voxels, as a stream of its own, and a fence.
 std::vector<golden::Word> topology_stream(const TopologyPlan& plan, const voxel::VoxelSet& voxels,
                                           const std::vector<bool>& two_sided);
 
-/// The voxel results among `results`, in voxel order. Fails if their number is not `expected` or an error
-/// word is among them.
+/// The voxel results among `results`, in the order of the receivers. Fails if their number is not `expected`
+/// or an error word is among them.
 Result<std::vector<golden::topology::TopologyResult>> topology_results(std::span<const golden::Word> results,
                                                                        std::size_t expected);
 

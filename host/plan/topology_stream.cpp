@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <gnomon/golden/stream.hpp>
 
+#include "host/plan/object_runs.hpp"
 #include "host/plan/topology_plan.hpp"
 
 namespace gnomon::plan {
@@ -29,22 +29,23 @@ void put_quads(golden::StreamWriter& writer, const TopologyPlan& plan) {
 
 }  // namespace
 
-std::vector<golden::Word> topology_stream(const TopologyPlan& plan, const voxel::VoxelSet& voxels,
-                                          const std::vector<bool>& two_sided) {
-  golden::StreamWriter writer(plan.vpu.config);
+void write_topology(golden::StreamWriter& writer, const TopologyPlan& plan, const voxel::VoxelSet& voxels,
+                    std::span<const std::uint32_t> receivers, const std::vector<bool>& two_sided) {
   writer.set_registers(golden::Register::MatrixUx, plan.vpu.registers);
   writer.clear_lists();
   put_quads(writer, plan);
-  // Voxels are sorted by object, so each object is one run.
-  const std::span<const golden::VoxelItem> items = plan.items;
-  for (std::size_t first = 0; first < items.size();) {
-    const auto object = voxels.voxels[first].object;
-    std::size_t end = first;
-    while (end < items.size() && voxels.voxels[end].object == object) ++end;
-    writer.resolve_topology(items.subspan(first, end - first), two_sided.at(object), plan.clearance,
-                            plan.settings.sorted);
-    first = end;
-  }
+  std::vector<golden::VoxelItem> items;
+  for_each_object(receivers, voxels, [&](std::span<const std::uint32_t> numbers, std::uint32_t object) {
+    items.clear();
+    for (const std::uint32_t i : numbers) items.push_back(plan.items[i]);
+    writer.resolve_topology(items, two_sided.at(object), plan.clearance, plan.settings.sorted);
+  });
+}
+
+std::vector<golden::Word> topology_stream(const TopologyPlan& plan, const voxel::VoxelSet& voxels,
+                                          const std::vector<bool>& two_sided) {
+  golden::StreamWriter writer(plan.vpu.config);
+  write_topology(writer, plan, voxels, all_voxels(voxels).receivers, two_sided);
   writer.fence(0, true);
   return writer.take();
 }

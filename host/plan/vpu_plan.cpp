@@ -43,13 +43,15 @@ struct Interval {
 struct Extent {
   Interval u, v, d;  // voxels along right, up, away
 };
-Extent extent_of(const voxel::VoxelSet& voxels, const LightAxes& axes) {
+Extent extent_of(const voxel::VoxelSet& voxels, const ViewVoxels& seen, const LightAxes& axes) {
   Extent extent;
-  for (const auto& voxel : voxels.voxels) {
-    const Vec3 p = representative(voxel);
-    extent.u.extend(axes.right.dot(p));
-    extent.v.extend(axes.up.dot(p));
-    extent.d.extend(axes.away.dot(p));
+  for (const auto* numbers : {&seen.casters, &seen.receivers}) {
+    for (const std::uint32_t i : *numbers) {
+      const Vec3 p = representative(voxels.voxels[i]);
+      extent.u.extend(axes.right.dot(p));
+      extent.v.extend(axes.up.dot(p));
+      extent.d.extend(axes.away.dot(p));
+    }
   }
   return extent;
 }
@@ -148,12 +150,18 @@ Result<void> set_registers(VpuPlan& plan) {
 }  // namespace
 
 Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const VpuSettings& settings) {
-  if (voxels.voxels.empty())
-    return fail("the scene has no voxels: expected at least one surface inside the grid");
   if (!(light.length() > 0) || !std::isfinite(light.length()))
     return fail("light has no direction: expected three finite numbers, not all 0");
-  const LightAxes axes = light_axes(light);
-  const Extent extent = extent_of(voxels, axes);
+  const LightView view = directional_view(light);
+  return plan_vpu(voxels, view, all_voxels(voxels), settings);
+}
+
+Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const LightView& view, const ViewVoxels& seen,
+                         const VpuSettings& settings) {
+  if (seen.casters.empty() && seen.receivers.empty())
+    return fail("the scene has no voxels: expected at least one surface inside the grid");
+  const LightAxes& axes = view.axes;
+  const Extent extent = extent_of(voxels, seen, axes);
   const double side = std::max(extent.u.size(), extent.v.size());
   // One voxel's reach beyond the outermost points on each side: offset points must find their entries.
   const double reach = settings.offset_factor + 1;
@@ -193,21 +201,25 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const
   return plan;
 }
 
-std::vector<golden::VoxelItem> voxel_items(const voxel::VoxelSet& voxels,
-                                           const golden::HardwareConfig& config) {
+golden::VoxelItem voxel_item(const voxel::Voxel& voxel, const golden::HardwareConfig& config) {
   const double scale = std::ldexp(1.0, config.voxel_frac_bits);
   const auto last = (std::uint32_t{1} << config.voxel_frac_bits) - 1;
   const double unit = std::ldexp(1.0, config.normal_bits - 1) - 1;
-  std::vector<golden::VoxelItem> items(voxels.voxels.size());
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto& voxel = voxels.voxels[i];
-    const std::array<std::uint32_t, 3> cell{voxel.x, voxel.y, voxel.z};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto inside = static_cast<std::uint32_t>(std::floor(double{voxel.point[axis]} * scale));
-      items[i].position[axis] = (cell[axis] << config.voxel_frac_bits) + std::min(inside, last);
-      items[i].normal[axis] = static_cast<std::int32_t>(std::lround(double{voxel.normal[axis]} * unit));
-    }
+  const std::array<std::uint32_t, 3> cell{voxel.x, voxel.y, voxel.z};
+  golden::VoxelItem item;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto inside = static_cast<std::uint32_t>(std::floor(double{voxel.point[axis]} * scale));
+    item.position[axis] = (cell[axis] << config.voxel_frac_bits) + std::min(inside, last);
+    item.normal[axis] = static_cast<std::int32_t>(std::lround(double{voxel.normal[axis]} * unit));
   }
+  return item;
+}
+
+std::vector<golden::VoxelItem> voxel_items(const voxel::VoxelSet& voxels,
+                                           const golden::HardwareConfig& config) {
+  std::vector<golden::VoxelItem> items(voxels.voxels.size());
+  std::transform(voxels.voxels.begin(), voxels.voxels.end(), items.begin(),
+                 [&](const voxel::Voxel& voxel) { return voxel_item(voxel, config); });
   return items;
 }
 

@@ -5,11 +5,13 @@
 
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/config.hpp>
+#include <gnomon/golden/stream.hpp>
 #include <span>
 #include <vector>
 
 #include "host/base/result.hpp"
 #include "host/base/vec.hpp"
+#include "host/plan/light_view.hpp"
 #include "host/voxel/voxel_set.hpp"
 
 namespace gnomon::plan {
@@ -38,7 +40,7 @@ struct Projection {
   double depth(const Vec3& p) const { return d.dot(p) + d1; }
 };
 
-/// Everything the VPU needs for one directional light.
+/// Everything the VPU needs for one view of a light.
 struct VpuPlan {
   golden::HardwareConfig config;
   Projection projection;
@@ -46,28 +48,37 @@ struct VpuPlan {
   std::vector<std::int64_t> registers;  ///< golden::kRegisterCount values, in register order
 };
 
-/// `light` is the way the light travels, in grid coordinates, any length but zero. Fails where the settings
-/// make no legal hardware (the error names the key).
+/// The plane holds all of `seen`, casters and receivers. Fails where the settings make no legal hardware (the
+/// error names the key) or nothing is seen.
+Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const LightView& view, const ViewVoxels& seen,
+                         const VpuSettings& settings);
+/// For one directional light over all voxels: `light` is the way it travels, any length but zero.
 Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const Vec3& light, const VpuSettings& settings);
 
-/// The voxels as the hardware sees them, in the order of `voxels.voxels`: position and normal quantised
-/// (position: floor; normal: nearest, halves away from zero).
+/// A voxel as the hardware sees it: position and normal quantised (position: floor; normal: nearest, halves
+/// away from zero).
+golden::VoxelItem voxel_item(const voxel::Voxel& voxel, const golden::HardwareConfig& config);
+/// All of them, in the order of `voxels.voxels`.
 std::vector<golden::VoxelItem> voxel_items(const voxel::VoxelSet& voxels,
                                            const golden::HardwareConfig& config);
 
-/// Registers, clear, project all, resolve all, fence. `two_sided[object]` marks open surfaces.
+/// Registers, clear, project `seen.casters`, resolve `seen.receivers`. The writer's hardware may have a
+/// larger plane than the plan. `two_sided[object]` marks open surfaces.
+void write_vpu(golden::StreamWriter& writer, const VpuPlan& plan, const voxel::VoxelSet& voxels,
+               const ViewVoxels& seen, const std::vector<bool>& two_sided);
+/// The same for all voxels, as a stream of its own, and a fence.
 std::vector<golden::Word> vpu_stream(const VpuPlan& plan, const voxel::VoxelSet& voxels,
-                                     std::span<const golden::VoxelItem> items,
                                      const std::vector<bool>& two_sided);
 
-/// The voxel results among `results`, in voxel order. Fails if their number is not `expected` or an error
-/// word is among them.
+/// The voxel results among `results`, in the order of the receivers. Fails if their number is not `expected`
+/// or an error word is among them.
 Result<std::vector<golden::VoxelResult>> voxel_results(std::span<const golden::Word> results,
                                                        std::size_t expected);
 
-/// The same method in double precision and with exact positions and normals: what quantisation is measured
-/// against.
+/// The same method in double precision and with exact positions and normals, in the order of the receivers:
+/// what quantisation is measured against.
 std::vector<golden::VoxelState> offset_states_double(const VpuPlan& plan, const voxel::VoxelSet& voxels,
+                                                     const ViewVoxels& seen,
                                                      const std::vector<bool>& two_sided);
 
 }  // namespace gnomon::plan

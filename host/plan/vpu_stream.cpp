@@ -2,29 +2,46 @@
 // A plan and its voxels as command words, and result words as voxel states (docs/command-stream.md).
 #include <fmt/format.h>
 
-#include <gnomon/golden/stream.hpp>
+#include <algorithm>
 
+#include "host/plan/object_runs.hpp"
 #include "host/plan/vpu_plan.hpp"
 
 namespace gnomon::plan {
+namespace {
 
-std::vector<golden::Word> vpu_stream(const VpuPlan& plan, const voxel::VoxelSet& voxels,
-                                     std::span<const golden::VoxelItem> items,
-                                     const std::vector<bool>& two_sided) {
-  golden::StreamWriter writer(plan.config);
+/// A command's worth of items at a time: items take more room than their words.
+template <class Write>
+void in_parts(std::span<const std::uint32_t> numbers, const VpuPlan& plan, const voxel::VoxelSet& voxels,
+              Write write) {
+  std::vector<golden::VoxelItem> items;
+  for (std::size_t first = 0; first < numbers.size(); first += golden::kMaxItems) {
+    const auto part =
+        numbers.subspan(first, std::min<std::size_t>(golden::kMaxItems, numbers.size() - first));
+    items.clear();
+    for (const std::uint32_t i : part) items.push_back(voxel_item(voxels.voxels[i], plan.config));
+    write(items);
+  }
+}
+
+}  // namespace
+
+void write_vpu(golden::StreamWriter& writer, const VpuPlan& plan, const voxel::VoxelSet& voxels,
+               const ViewVoxels& seen, const std::vector<bool>& two_sided) {
   writer.set_registers(golden::Register::MatrixUx, plan.registers);
   writer.clear_plane();
-  writer.project(items);
-  // Voxels are sorted by object, so each object is one run.
-  for (std::size_t first = 0; first < items.size();) {
-    const auto object = voxels.voxels[first].object;
-    std::size_t end = first;
-    while (end < items.size() && voxels.voxels[end].object == object) ++end;
-    writer.resolve(items.subspan(first, end - first), two_sided.at(object));
-    first = end;
-  }
+  in_parts(seen.casters, plan, voxels, [&](const auto& items) { writer.project(items); });
+  for_each_object(seen.receivers, voxels, [&](std::span<const std::uint32_t> numbers, std::uint32_t object) {
+    in_parts(numbers, plan, voxels, [&](const auto& items) { writer.resolve(items, two_sided.at(object)); });
+  });
+}
+
+std::vector<golden::Word> vpu_stream(const VpuPlan& plan, const voxel::VoxelSet& voxels,
+                                     const std::vector<bool>& two_sided) {
+  golden::StreamWriter writer(plan.config);
+  write_vpu(writer, plan, voxels, all_voxels(voxels), two_sided);
   writer.fence(0, true);
-  return writer.words();
+  return writer.take();
 }
 
 Result<std::vector<golden::VoxelResult>> voxel_results(std::span<const golden::Word> results,

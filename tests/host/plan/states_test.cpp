@@ -26,14 +26,13 @@ States shadow_states(const Vec3& light, const VpuSettings& settings) {
   States s{test::ball_on_ground(96, kBall, 8.5), {}, {}, {}, {}};
   s.plan = plan_vpu(s.voxels, light, settings).value();
   const std::vector<bool> two_sided{false, true};
-  const auto items = voxel_items(s.voxels, s.plan.config);
   const auto engine = golden::make_golden_engine(s.plan.config);
-  engine->submit(vpu_stream(s.plan, s.voxels, items, two_sided));
+  engine->submit(vpu_stream(s.plan, s.voxels, two_sided));
   engine->drain([&](std::span<const golden::Word> words) {
     s.results.insert(s.results.end(), words.begin(), words.end());
   });
-  s.fixed = voxel_results(s.results, items.size()).value();
-  s.exact_method = offset_states_double(s.plan, s.voxels, two_sided);
+  s.fixed = voxel_results(s.results, s.voxels.voxels.size()).value();
+  s.exact_method = offset_states_double(s.plan, s.voxels, all_voxels(s.voxels), two_sided);
   return s;
 }
 

@@ -105,7 +105,7 @@ void measure(const std::string& path, std::uint32_t res, bool ground, const Vec3
   voxel::VoxelizerOptions voxelizer;
   voxelizer.subpatches = true;
   const auto voxels = require(voxel::voxelize(surfaces, grid, voxelizer));
-  const Vec3 travel = scene.lights[0].direction;
+  const Vec3 travel = std::get<DirectionalLight>(scene.lights[0]).direction;
   const metrics::ExactReference reference(surfaces, two_sided, metrics::DirectionalLight{travel});
   const auto truth = metrics::shadow_truth(reference, surfaces, voxels);
   const auto casting = voxel::casting_quads(surfaces, voxels);
@@ -131,8 +131,8 @@ void measure(const std::string& path, std::uint32_t res, bool ground, const Vec3
   settings.voxel_frac_bits = 2;
   settings.sorted = false;
   const auto plan = fixed(settings, table.unsorted);
-  const auto exact =
-      plan::topology_states_double(plan, voxels, voxel::limit_quads(surfaces, voxels), two_sided);
+  const auto exact = plan::topology_states_double(plan, voxels, voxel::limit_quads(surfaces, voxels),
+                                                  plan::all_voxels(voxels).receivers, two_sided);
   table.exact.add(truth, exact.states);
   table.exact.uncertain += exact.uncertain;
   table.exact.tested += exact.tested;

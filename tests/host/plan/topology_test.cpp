@@ -86,7 +86,8 @@ TEST(Topology, AgreesWithExactRays) {
       shadow += answers.events.at("TOPOLOGY_HIT");
     }
     const auto quads = voxel::limit_quads(scene().surfaces, scene().voxels);
-    const auto exact = topology_states_double(plan_of(light), scene().voxels, quads, kTwoSided);
+    const auto exact = topology_states_double(plan_of(light), scene().voxels, quads,
+                                              all_voxels(scene().voxels).receivers, kTwoSided);
     EXPECT_LE(wrong(exact.states).share(), 0.00005);
     compared += wrong(exact.states).compared;
   }
