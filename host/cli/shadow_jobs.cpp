@@ -15,11 +15,15 @@ Result<std::vector<ShadowJob>> shadow_jobs(Context& context, const LoadedScene& 
   for (const scene::Object& object : input.scene.objects) two_sided.push_back(object.two_sided);
   const pipeline::RunSettings settings = run_settings(input.settings);
   std::vector<ShadowJob> jobs;
-  for (const scene::DirectionalLight& light : input.scene.lights) {
+  for (const Light& any : input.scene.lights) {
+    const auto* light = std::get_if<DirectionalLight>(&any);
+    if (light == nullptr)
+      return fail(input.scene.source.string() +
+                  ": has a light that is not directional, expected directional ones");
     context.interruption.check();
     // The grid is the world moved and scaled evenly: directions stay.
     const Result<std::unique_ptr<pipeline::Technique>> technique = pipeline::make_technique(
-        settings, {voxelized->surfaces, two_sided, voxelized->voxels, light.direction});
+        settings, {voxelized->surfaces, two_sided, voxelized->voxels, light->direction});
     if (!technique) return tl::make_unexpected(technique.error());
     Result<std::vector<golden::Word>> stream = (*technique)->stream({});
     if (!stream) return tl::make_unexpected(stream.error());

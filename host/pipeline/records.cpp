@@ -47,8 +47,8 @@ report::RunRecord request_record(const RunRequest& request) {
   record.seed = request.seed;
   record.parameters = request.parameters;
   record.clock_mhz = request.settings.clock_mhz;
-  for (const scene::DirectionalLight& light : request.scene.lights) {
-    record.lights.push_back(report::DirectionalLight{light.direction});
+  for (const Light& light : request.scene.lights) {
+    record.lights.push_back(report::DirectionalLight{std::get<DirectionalLight>(light).direction});
   }
   for (const scene::Object& object : request.scene.objects) {
     record.objects.push_back({object.name, object.ground, object.two_sided, object.statistics});

@@ -109,7 +109,8 @@ Result<void> Job::build_surfaces() {
     surfaces_.push_back(std::move(*surface));
     two_sided_.push_back(object.two_sided);
   }
-  scene::to_grid(grid_).multDirMatrix(request_.scene.lights.front().direction, light_);
+  scene::to_grid(grid_).multDirMatrix(std::get<DirectionalLight>(request_.scene.lights.front()).direction,
+                                      light_);
   return {};
 }
 
@@ -357,6 +358,10 @@ Result<void> check(const RunRequest& request) {
   if (request.scene.lights.size() != 1) {
     return fail(fmt::format("{}: has {} lights, expected one: a run takes a single directional light",
                             request.scene.source.string(), request.scene.lights.size()));
+  }
+  if (!std::holds_alternative<DirectionalLight>(request.scene.lights.front())) {
+    return fail(request.scene.source.string() +
+                ": its light is not directional: a run takes a single directional light");
   }
   if (request.scene.objects.empty())
     return fail(request.scene.source.string() + ": has no objects, expected at least one");

@@ -33,20 +33,35 @@ std::array<Vec3, 8> corners(const Box3& box) {
   return all;
 }
 
+/// How far the shadow of a point at `height` above the floor falls from the point below it, horizontally and
+/// at most `longest`; zero where no shadow falls on the floor.
+Vec3 shadow_reach(const Light& light, const Vec3& point, double height, double longest, int up) {
+  Vec3 way = light_way(light, point);
+  const double down = -way[up];
+  if (!(down > 0) && std::holds_alternative<DirectionalLight>(light)) return {0, 0, 0};
+  way[up] = 0;
+  // What a lamp below the point throws upwards at it, it throws beyond all bounds from a little lower.
+  if (!(down > 0) || way.length() * height > longest * down) return way.normalized() * longest;
+  return way * (height / down);
+}
+
+/// True where no part of the models can throw a shadow on the floor.
+bool below_floor(const Light& light, int up, double floor) {
+  if (const auto* spot = std::get_if<SpotLight>(&light)) return spot->position[up] <= floor;
+  if (const auto* point = std::get_if<PointLight>(&light)) return point->position[up] <= floor;
+  return false;
+}
+
 /// Footprint of the models and of their shadows on the plane through their lowest point; its height is that
 /// plane's.
-Box3 shadow_footprint(const Box3& models, const Axes& a, std::span<const DirectionalLight> lights) {
+Box3 shadow_footprint(const Box3& models, const Axes& a, std::span<const Light> lights) {
   const double floor = models.min[a.up];
-  const double height = models.max[a.up] - floor;
   const double longest = largest_side(models);
   Box3 footprint = models;
-  for (const DirectionalLight& light : lights) {
-    if (!(light.direction[a.up] < 0)) continue;  // from below: no shadow on the ground
-    Vec3 reach = light.direction * (height / -light.direction[a.up]);
-    reach[a.up] = 0;
-    if (reach.length() > longest) reach *= longest / reach.length();
-    footprint.extendBy(models.min + reach);
-    footprint.extendBy(models.max + reach);
+  for (const Light& light : lights) {
+    if (below_floor(light, a.up, floor)) continue;
+    for (const Vec3& corner : corners(models))
+      footprint.extendBy(corner + shadow_reach(light, corner, corner[a.up] - floor, longest, a.up));
   }
   footprint.min[a.up] = footprint.max[a.up] = floor;
   const double border = 0.15 * longest;
@@ -67,7 +82,7 @@ DirectionalLight default_light(UpAxis up) {
   return {(up == UpAxis::Y ? Vec3(0.45, -1, -0.4) : Vec3(0.45, 0.4, -1)).normalized()};
 }
 
-Object make_ground(const Box3& models, UpAxis up, std::span<const DirectionalLight> lights) {
+Object make_ground(const Box3& models, UpAxis up, std::span<const Light> lights) {
   constexpr std::int32_t kCells = 4;
   const Axes a = axes(up);
   const Box3 area = shadow_footprint(models, a, lights);

@@ -41,7 +41,7 @@ Result<SceneFile> describe(const std::filesystem::path& path) {
   if (is_scene_file(path)) return read_scene_file(path);
   SceneFile file;
   file.name = path.stem().string();
-  file.models.push_back({path, "", Mat4(), false});
+  file.models.push_back({path, "", Mat4()});
   return file;
 }
 
@@ -73,6 +73,8 @@ Result<void> add_model(Scene& scene, const SceneFile::Model& model, const SceneO
       object.name = obj->meshes.size() == 1 ? model.name : model.name + "/" + object.mesh.name;
     object.to_world = model.transform;
     object.two_sided = !is_closed(object.statistics);
+    object.casts = model.casts;
+    object.receives = model.receives;
     if (options.surface == SurfaceKind::Polygons) sharpen(object.mesh);
     if (model.transform.determinant() < 0) reverse_winding(object.mesh);
     const Result<Box3> bounds = limit_bounds(object.mesh, object.to_world);
@@ -106,10 +108,13 @@ Result<Scene> load_scene(const std::filesystem::path& path, const SceneOptions& 
   }
   scene.lights = file->lights;
   if (scene.lights.empty()) scene.lights = {default_light(options.up)};
-  if (options.light) scene.lights = {{options.light->normalized()}};
+  if (options.light) scene.lights = {DirectionalLight{options.light->normalized()}};
 
   const Box3 models = bounds_of(scene.objects);
   if (options.ground) scene.objects.push_back(make_ground(models, options.up, scene.lights));
+  if (std::ranges::none_of(scene.objects, &Object::receives))
+    return fail(path.string() +
+                ": error: no object receives shadows, expected ground = \"on\" or a model that does");
   scene.camera =
       file->camera.value_or(fit_camera(models, bounds_of(scene.objects), options.up, options.image_aspect));
   return scene;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/light.hpp"
 #include "host/base/result.hpp"
 #include "host/base/vec.hpp"
 #include "host/scene/control_mesh.hpp"
@@ -24,11 +25,9 @@ struct Object {
   Box3 bounds;             ///< of its limit surface, in the world
   bool ground = false;     ///< the receiver that was put under the models
   bool two_sided = false;  ///< an open surface: it has no inside, both of its sides can be lit
+  bool casts = true;       ///< throws shadows, on itself too
+  bool receives = true;    ///< shadows fall on it; else it is lit wherever it faces a light that reaches it
   MeshStatistics statistics;
-};
-
-struct DirectionalLight {
-  Vec3 direction;  ///< the way the light travels, unit length
 };
 
 struct Camera {
@@ -38,9 +37,9 @@ struct Camera {
 
 struct Scene {
   std::string name;
-  std::filesystem::path source;          ///< the file that was loaded, as given
-  std::vector<Object> objects;           ///< at least one; the ground, if any, is the last
-  std::vector<DirectionalLight> lights;  ///< at least one
+  std::filesystem::path source;  ///< the file that was loaded, as given
+  std::vector<Object> objects;   ///< at least one; the ground, if any, is the last
+  std::vector<Light> lights;     ///< at least one
   Camera camera;
   std::vector<std::string> warnings;  ///< what was ignored or repaired, one line each
 };

@@ -7,67 +7,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/config/document.hpp"
+#include "host/scene/entries.hpp"
+#include "host/scene/scene_lights.hpp"
 
 namespace gnomon::scene {
 namespace {
 
 using config::Document;
-using Pointer = Document::Pointer;
-
-/// An entry's key for messages: "models/0/translate".
-std::string key_of(const Pointer& entry) {
-  return entry.to_string().substr(1);
-}
-
-Result<double> read_number(const Document& document, const Pointer& at) {
-  const nlohmann::json& value = document.root().at(at);
-  if (!value.is_number() || !std::isfinite(value.get<double>())) {
-    return document.refuse(at, fmt::format("{} = {} is not a finite number", key_of(at), value.dump()));
-  }
-  return value.get<double>();
-}
-
-Result<std::string> read_text(const Document& document, const Pointer& at) {
-  const nlohmann::json& value = document.root().at(at);
-  if (!value.is_string() || value.get<std::string>().empty()) {
-    return document.refuse(at, fmt::format("{} = {} is not a text", key_of(at), value.dump()));
-  }
-  return value.get<std::string>();
-}
-
-Result<Vec3> read_vector(const Document& document, const Pointer& at) {
-  const nlohmann::json& value = document.root().at(at);
-  if (!value.is_array() || value.size() != 3) {
-    return document.refuse(at,
-                           fmt::format("{} = {} is not a list of three numbers", key_of(at), value.dump()));
-  }
-  Vec3 vector;
-  for (unsigned i = 0; i < 3; ++i) {
-    const Result<double> component = read_number(document, at / i);
-    if (!component) return tl::make_unexpected(component.error());
-    vector[static_cast<int>(i)] = *component;
-  }
-  return vector;
-}
-
-Result<Vec3> read_direction(const Document& document, const Pointer& at) {
-  Result<Vec3> vector = read_vector(document, at);
-  if (vector && vector->length() == 0)
-    return document.refuse(at, key_of(at) + " is no direction: its length is zero");
-  return vector;
-}
-
-/// The table or list entry at `at`, if there is one of the right kind.
-Result<void> expect(const Document& document, const Pointer& at, bool (nlohmann::json::*is)() const noexcept,
-                    std::string_view kind) {
-  if ((document.root().at(at).*is)()) return {};
-  return document.refuse(at, fmt::format("{} is not {}", key_of(at), kind));
-}
-
-bool has(const Document& document, const Pointer& table, const char* key) {
-  return document.root().at(table).contains(key);
-}
 
 /// "matrix": four rows of the column-vector convention, p' = M p, as textbooks print them.
 Result<Mat4> read_matrix(const Document& document, const Pointer& at) {
@@ -128,8 +74,8 @@ Result<SceneFile::Model> read_model(const Document& document, const Pointer& at)
   if (Result<void> table = expect(document, at, &nlohmann::json::is_object, "a table"); !table) {
     return tl::make_unexpected(table.error());
   }
-  if (Result<void> known =
-          document.check_keys(at, {"path", "name", "translate", "rotate", "scale", "matrix", "rest"});
+  if (Result<void> known = document.check_keys(
+          at, {"path", "name", "translate", "rotate", "scale", "matrix", "rest", "casts", "receives"});
       !known) {
     return tl::make_unexpected(known.error());
   }
@@ -144,12 +90,13 @@ Result<SceneFile::Model> read_model(const Document& document, const Pointer& at)
     if (!name) return tl::make_unexpected(name.error());
     model.name = std::move(*name);
   }
-  if (has(document, at, "rest")) {
-    if (Result<void> flag = expect(document, at / "rest", &nlohmann::json::is_boolean, "true or false");
-        !flag) {
-      return tl::make_unexpected(flag.error());
-    }
-    model.rest = document.root().at(at / "rest").get<bool>();
+  for (const auto& [key, member] : {std::pair{"rest", &SceneFile::Model::rest},
+                                    {"casts", &SceneFile::Model::casts},
+                                    {"receives", &SceneFile::Model::receives}}) {
+    if (!has(document, at, key)) continue;
+    const Result<bool> flag = read_flag(document, at / key);
+    if (!flag) return tl::make_unexpected(flag.error());
+    model.*member = *flag;
   }
   const Result<Mat4> transform = read_transform(document, at);
   if (!transform) return tl::make_unexpected(transform.error());
@@ -158,24 +105,6 @@ Result<SceneFile::Model> read_model(const Document& document, const Pointer& at)
   if (!(scale > 0) || !std::isfinite(scale))
     return document.refuse(at, key_of(at) + " is flattened by its transform: the scale is zero");
   return model;
-}
-
-Result<DirectionalLight> read_light(const Document& document, const Pointer& at) {
-  if (Result<void> table = expect(document, at, &nlohmann::json::is_object, "a table"); !table) {
-    return tl::make_unexpected(table.error());
-  }
-  if (Result<void> known = document.check_keys(at, {"type", "direction"}); !known) {
-    return tl::make_unexpected(known.error());
-  }
-  if (has(document, at, "type") && document.root().at(at / "type") != "directional") {
-    return document.refuse(
-        at / "type", fmt::format("light type {} is unknown or not in this build, expected \"directional\"",
-                                 document.root().at(at / "type").dump()));
-  }
-  if (!has(document, at, "direction")) return document.refuse(at, key_of(at) + " has no direction");
-  return read_direction(document, at / "direction").map([](const Vec3& d) {
-    return DirectionalLight{d.normalized()};
-  });
 }
 
 Result<Camera> read_camera(const Document& document, const Pointer& at) {

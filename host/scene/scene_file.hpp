@@ -20,11 +20,13 @@ struct SceneFile {
     std::filesystem::path path;  ///< relative to the working directory (or absolute)
     std::string name;            ///< empty: the objects' own names
     Mat4 transform;
-    bool rest = false;  ///< then moved along up until its lowest point is at 0
+    bool rest = false;     ///< then moved along up until its lowest point is at 0
+    bool casts = true;     ///< as Object::casts, for all objects of the model
+    bool receives = true;  ///< as Object::receives
   };
   std::string name;
-  std::vector<Model> models;             ///< at least one
-  std::vector<DirectionalLight> lights;  ///< may be empty
+  std::vector<Model> models;  ///< at least one
+  std::vector<Light> lights;  ///< may be empty
   std::optional<Camera> camera;
   std::vector<config::Assignment> parameters;
 };

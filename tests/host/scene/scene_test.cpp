@@ -17,6 +17,11 @@ namespace {
 
 using testing::HasSubstr;
 
+/// The way a directional light travels.
+Vec3 way(const Scene& scene, std::size_t light) {
+  return std::get<DirectionalLight>(scene.lights.at(light)).direction;
+}
+
 class SceneTest : public testing::Test {
  protected:
   SceneTest() { directory_.write("cube.obj", test::cube_text()); }
@@ -40,8 +45,8 @@ TEST_F(SceneTest, ABareObjGetsGroundLightAndCamera) {
   EXPECT_TRUE(ground.ground);
   EXPECT_TRUE(ground.two_sided);
   ASSERT_EQ(scene.lights.size(), 1U);
-  EXPECT_NEAR(scene.lights[0].direction.length(), 1, 1e-12);
-  EXPECT_LT(scene.lights[0].direction.y, 0);
+  EXPECT_NEAR(way(scene, 0).length(), 1, 1e-12);
+  EXPECT_LT(way(scene, 0).y, 0);
 }
 
 TEST_F(SceneTest, TheGroundTouchesTheLimitSurfaceAndCatchesTheShadow) {
@@ -50,7 +55,7 @@ TEST_F(SceneTest, TheGroundTouchesTheLimitSurfaceAndCatchesTheShadow) {
   EXPECT_DOUBLE_EQ(ground.min.y, model.min.y);
   EXPECT_DOUBLE_EQ(ground.max.y, model.min.y);
   EXPECT_GT(model.min.y, -0.9);  // the control points lie at -1
-  const Vec3 light = scene.lights[0].direction;
+  const Vec3 light = way(scene, 0);
   for (const double x : {model.min.x, model.max.x}) {
     for (const double z : {model.min.z, model.max.z}) {
       const Vec3 shadow = Vec3(x, model.max.y, z) + light * (model.size().y / -light.y);
@@ -86,7 +91,7 @@ TEST_F(SceneTest, OptionsChangeABareObj) {
   options.light = Vec3(0, 0, -2);
   Scene scene = load_scene(directory_.path() / "cube.obj", options).value();
   EXPECT_EQ(scene.objects.size(), 1U);
-  EXPECT_EQ(scene.lights[0].direction, Vec3(0, 0, -1));
+  EXPECT_EQ(way(scene, 0), Vec3(0, 0, -1));
 
   options.surface = SurfaceKind::Polygons;
   scene = load_scene(directory_.path() / "cube.obj", options).value();
@@ -98,7 +103,7 @@ TEST_F(SceneTest, OptionsChangeABareObj) {
   options.light.reset();
   scene = load_scene(directory_.path() / "cube.obj", options).value();
   EXPECT_EQ(scene.objects[1].bounds.size().z, 0);
-  EXPECT_LT(scene.lights[0].direction.z, 0);
+  EXPECT_LT(way(scene, 0).z, 0);
   EXPECT_EQ(scene.camera.up, Vec3(0, 0, 1));
 }
 
@@ -156,7 +161,7 @@ fov = 45
   EXPECT_EQ(Vec3(1, -1, 1) * scene.objects[0].to_world, Vec3(2, -2, 2));
   EXPECT_NEAR((Vec3(1, 0, 0) * scene.objects[1].to_world - Vec3(5, 0, -1)).length(), 0, 1e-12);
   ASSERT_EQ(scene.lights.size(), 2U);
-  EXPECT_EQ(scene.lights[0].direction, Vec3(0, -1, 0));
+  EXPECT_EQ(way(scene, 0), Vec3(0, -1, 0));
   EXPECT_EQ(scene.camera.eye, Vec3(0, 5, 10));
   EXPECT_EQ(scene.camera.fov, 45);
 
@@ -210,7 +215,7 @@ TEST_F(SceneTest, ALightOptionReplacesTheLightsOfTheFile) {
            options)
           .value();
   ASSERT_EQ(scene.lights.size(), 1U);
-  EXPECT_EQ(scene.lights[0].direction, Vec3(0, -1, 0));
+  EXPECT_EQ(way(scene, 0), Vec3(0, -1, 0));
 }
 
 TEST_F(SceneTest, AMirroringTransformKeepsTheOutsideOutside) {
@@ -232,8 +237,10 @@ TEST_F(SceneTest, RefusesUnknownKeysNamingTheNearest) {
             "s.toml:1: error: unknown key 'nmae', did you mean 'name'?");
   EXPECT_EQ(error("s.toml", "[[models]]\npath=\"cube.obj\"\n\ntranslat = [1,2,3]\n"),
             "s.toml:4: error: unknown key 'models/0/translat', did you mean 'translate'?");
-  EXPECT_EQ(error("s.toml", "[[models]]\npath=\"cube.obj\"\n[[lights]]\ndirection=[1,0,0]\ncolour=1\n"),
-            "s.toml:5: error: unknown key 'lights/0/colour', expected one of type, direction");
+  EXPECT_EQ(
+      error("s.toml", "[[models]]\npath=\"cube.obj\"\n[[lights]]\ndirection=[1,0,0]\ncolour=1\n"),
+      "s.toml:5: error: unknown key 'lights/0/colour', expected one of type, direction, position, target, "
+      "angle");
   EXPECT_EQ(error("s.json", R"({"model": []})"),
             "s.json: error: unknown key 'model', did you mean 'models'?");
 }
@@ -260,8 +267,6 @@ TEST_F(SceneTest, RefusesMalformedSceneFiles) {
        "s.toml:3: error: models/0/matrix is not affine"},
       {model + "matrix=[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]\nscale=2\n",
        "s.toml:4: error: models/0/scale next to matrix"},
-      {model + "[[lights]]\ntype=\"spot\"\n",
-       "s.toml:4: error: light type \"spot\" is unknown or not in this build"},
       {model + "[[lights]]\ntype=\"directional\"\n", "s.toml:3: error: lights/0 has no direction"},
       {model + "[[lights]]\ndirection=[0,0,0]\n", "s.toml:4: error: lights/0/direction is no direction"},
       {model + "[camera]\neye=[0,0,1]\n", "s.toml:3: error: camera has no target"},
