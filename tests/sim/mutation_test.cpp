@@ -11,14 +11,10 @@
 #include "sim/shrink.hpp"
 #include "tests/sim/cosim.hpp"
 #include "tests/sim/tiny_model.hpp"
+#include "tests/support/seeded_faults.hpp"
 
 namespace gnomon::sim::test {
 namespace {
-
-const std::vector<std::string> kMutations{"GNOMON_MUTATE_TIES_REPLACE", "GNOMON_MUTATE_NO_FORWARDING",
-                                          "GNOMON_MUTATE_ROUND_DEPTH",  "GNOMON_MUTATE_MARGIN_OR_EQUAL",
-                                          "GNOMON_MUTATE_LOSE_STICKY",  "GNOMON_MUTATE_KEEP_GENERATION",
-                                          "GNOMON_MUTATE_SKIP_BARRIER", "GNOMON_MUTATE_SKID_OVERRUN"};
 
 golden::HardwareConfig config() {
   golden::HardwareConfig config;
@@ -27,16 +23,16 @@ golden::HardwareConfig config() {
 }
 
 /// Without assertions: it is the words that must show the fault.
-RtlOptions mutated(const std::string& mutation) {
+RtlOptions mutated(const std::string& fault) {
   RtlOptions options;
-  options.defines = {mutation};
+  options.defines = {"GNOMON_MUTATE_" + fault};
   options.stalls = stall_profile(3, 3);
   return options;
 }
 
 /// The first stream on which the mutated hardware differs.
-std::optional<stimulus::DirectedStream> find_failure(const std::string& mutation) {
-  Cosim cosim(config(), mutated(mutation));
+std::optional<stimulus::DirectedStream> find_failure(const std::string& fault) {
+  Cosim cosim(config(), mutated(fault));
   std::vector<stimulus::DirectedStream> streams = stimulus::directed_streams(config());
   for (std::uint64_t seed = 1; seed <= 5; ++seed) streams.push_back(random_case(config(), seed, 300));
   for (stimulus::DirectedStream& stream : streams) {
@@ -45,43 +41,81 @@ std::optional<stimulus::DirectedStream> find_failure(const std::string& mutation
   return std::nullopt;
 }
 
-class Mutation : public testing::TestWithParam<std::string> {};
+class Mutation : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(Mutation, IsNoticed) {
-  const auto failure = find_failure(GetParam());
+  const auto failure = find_failure(std::string(GetParam()));
   ASSERT_TRUE(failure.has_value()) << "no stream shows the fault";
   RecordProperty("noticed_by", failure->name);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rtl, Mutation, testing::ValuesIn(kMutations), [](const auto& test) {
-  return test.param.substr(std::string("GNOMON_MUTATE_").size());
-});
+INSTANTIATE_TEST_SUITE_P(Rtl, Mutation, testing::ValuesIn(stimulus::kBuiltInFaults),
+                         [](const auto& test) { return std::string(test.param); });
 
-/// Every name with the prefix in a text.
-std::set<std::string> mutations_in(std::string_view text) {
-  constexpr std::string_view kPrefix = "GNOMON_MUTATE_";
-  std::set<std::string> found;
-  for (std::size_t at = text.find(kPrefix); at != text.npos; at = text.find(kPrefix, at + 1)) {
-    const std::size_t end = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789", at);
-    const std::string_view name = text.substr(at, end - at);
-    if (name != kPrefix) found.emplace(name);  // the prefix alone stands in comments
+using Names = std::set<std::string>;
+using FaultLists = std::span<const std::span<const std::string_view>>;
+
+/// Every word in capitals right after `mark`.
+Names names_after(std::string_view mark, std::string_view text) {
+  Names found;
+  for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + 1)) {
+    const std::string_view rest = text.substr(at + mark.size());
+    const std::string_view name =
+        rest.substr(0, rest.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789"));
+    if (!name.empty()) found.emplace(name);
   }
   return found;
 }
 
+/// What the package can build in: constants, and variables in builds that choose at run time.
+Names offered(std::string_view package) {
+  return names_after(" bit ", package);
+}
+
+Names listed(FaultLists lists) {
+  Names names;
+  for (const auto& list : lists) names.insert(list.begin(), list.end());
+  return names;
+}
+
+std::filesystem::path rtl_dir() {
+  return Toolchain::from_environment().rtl_dir;
+}
+std::string package() {
+  return read_file(rtl_dir() / "mutations_pkg.sv");
+}
+
 TEST(Mutations, AllThatTheRtlOffersAreTested) {
-  std::set<std::string> found;
-  for (const auto& file :
-       std::filesystem::recursive_directory_iterator(Toolchain::from_environment().rtl_dir)) {
-    if (file.path().extension() == ".sv") found.merge(mutations_in(read_file(file.path())));
+  EXPECT_EQ(offered(package()), listed(stimulus::kFaultLists))
+      << "tests/support/seeded_faults.hpp lists the faults and the tests that notice them";
+}
+
+TEST(Mutations, AFaultWithoutATestAndAListThatIsMissingAreSeen) {
+  const Names all = listed(stimulus::kFaultLists);
+  EXPECT_TRUE(all.contains("SLB_DRIFT"));
+  EXPECT_NE(offered(package() + "  localparam bit SLB_NEW = 1'b1;"), all);
+  EXPECT_NE(offered(package() + "  bit SLB_NEW = 1'b0;"), all);
+  for (std::size_t left_out = 0; left_out < stimulus::kFaultLists.size(); ++left_out) {
+    std::vector lists(stimulus::kFaultLists.begin(), stimulus::kFaultLists.end());
+    lists.erase(lists.begin() + static_cast<std::ptrdiff_t>(left_out));
+    EXPECT_NE(listed(lists), all);
   }
-  // tests/rtl/slb notices those of the silhouette-line buffer, part by part.
-  std::erase_if(found, [](const std::string& name) { return name.starts_with("GNOMON_MUTATE_SLB_"); });
-  EXPECT_EQ(found, std::set<std::string>(kMutations.begin(), kMutations.end()));
+}
+
+/// A fault outside the package would escape the comparison above; one that is not used proves nothing.
+TEST(Mutations, FaultsStandInThePackageAndAreUsed) {
+  Names used;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(rtl_dir())) {
+    if (file.path().extension() != ".sv" || file.path().filename() == "mutations_pkg.sv") continue;
+    const std::string text = read_file(file.path());
+    used.merge(names_after("mutations_pkg::", text));
+    EXPECT_EQ(names_after("GNOMON_MUTATE_", text), Names{}) << file.path();
+  }
+  EXPECT_EQ(used, listed(stimulus::kFaultLists));
 }
 
 TEST(Mutations, FailingRandomStreamShrinksToAFewWordsAndIsKept) {
-  const RtlOptions options = mutated("GNOMON_MUTATE_ROUND_DEPTH");
+  const RtlOptions options = mutated("ROUND_DEPTH");
   ModelCache cache;
   const StillFails fails = differs([] { return golden::make_golden_engine(config()); },
                                    [&] { return make_rtl_engine(config(), options, cache); });

@@ -3,7 +3,6 @@
 // notices each.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <gnomon/golden/golden_engine.hpp>
 #include <string>
 #include <vector>
@@ -12,14 +11,10 @@
 #include "slb_builds.hpp"
 #include "slb_streams.hpp"
 #include "tests/rtl/stream_bench.hpp"
+#include "tests/support/seeded_faults.hpp"
 
 namespace gnomon::rtl_test {
 namespace {
-
-constexpr std::array kFaults{
-    "SLB_EVICT_EARLIER", "SLB_FORGET_CENTRE", "SLB_KEEP_CORNER",    "SLB_FIRST_LINE",  "SLB_WRAP_WINDING",
-    "SLB_LOSE_CARRY",    "SLB_KEEP_LINES",    "SLB_COVER_ALL_ROWS", "SLB_LAST_OBJECT", "SLB_OPEN_HALF_PLANE",
-    "NO_FORWARDING",     "KEEP_GENERATION",   "SKIP_BARRIER"};
 
 struct Case {
   std::vector<Word> words, results;
@@ -65,9 +60,9 @@ bool agrees(const Case& one, const std::string& fault) {
 TEST(SlbMutation, IsNoticed) {
   const std::vector<Case> all = cases();
   for (const Case& one : all) EXPECT_TRUE(agrees(one, "none"));
-  for (const char* fault : kFaults) {
+  for (const std::string_view fault : stimulus::kSlbFaults) {
     std::size_t noticed = 0;
-    while (noticed < all.size() && agrees(all[noticed], fault)) ++noticed;
+    while (noticed < all.size() && agrees(all[noticed], std::string(fault))) ++noticed;
     EXPECT_LT(noticed, all.size()) << fault << " is not noticed";
   }
 }

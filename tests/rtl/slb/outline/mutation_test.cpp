@@ -2,18 +2,15 @@
 // Seeded faults in the front end: the comparison with golden notices each.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <string>
 
 #include "Voutline_faulty.h"
 #include "tests/rtl/slb/outline/bench.hpp"
 #include "tests/rtl/slb/outline/loops.hpp"
+#include "tests/support/seeded_faults.hpp"
 
 namespace gnomon::rtl_test::slb {
 namespace {
-
-constexpr std::array kFaults{
-    "SLB_NO_ADJUST",    "SLB_DRIFT",         "SLB_DEPTH_DRIFT", "SLB_FORGET_KEPT",     "SLB_FORGET_ASIDE",
-    "SLB_EXACT_ALWAYS", "SLB_LAST_OF_EQUAL", "SLB_NO_SPIKES",   "SLB_CORNER_BY_SIDES", "SLB_COUNT_CLOSE"};
 
 bool agrees(const std::string& fault) {
   const SlbConfig config;
@@ -25,7 +22,9 @@ bool agrees(const std::string& fault) {
 
 TEST(SlbOutlineMutation, EachIsNoticed) {
   EXPECT_TRUE(agrees(""));
-  for (const char* fault : kFaults) EXPECT_FALSE(agrees(fault)) << fault << " is not noticed";
+  for (const std::string_view fault : stimulus::kSlbOutlineFaults) {
+    EXPECT_FALSE(agrees(std::string(fault))) << fault << " is not noticed";
+  }
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The faults that rtl/mutations_pkg.sv can build in, by the test that notices them. A new fault goes into the
+// list that its test runs through; a new list also goes into kFaultLists, where tests/sim/mutation_test.cpp
+// compares all of them with what the RTL offers.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace gnomon::stimulus {
+
+/// Each a build of its own, with GNOMON_MUTATE_<name> defined: tests/sim/mutation_test.cpp.
+inline constexpr std::array<std::string_view, 8> kBuiltInFaults{
+    "TIES_REPLACE", "NO_FORWARDING",   "ROUND_DEPTH",  "MARGIN_OR_EQUAL",
+    "LOSE_STICKY",  "KEEP_GENERATION", "SKIP_BARRIER", "SKID_OVERRUN"};
+
+/// The silhouette-line buffer's front end, one build with all of them: tests/rtl/slb/outline.
+inline constexpr std::array<std::string_view, 10> kSlbOutlineFaults{
+    "SLB_NO_ADJUST",    "SLB_DRIFT",         "SLB_DEPTH_DRIFT", "SLB_FORGET_KEPT",     "SLB_FORGET_ASIDE",
+    "SLB_EXACT_ALWAYS", "SLB_LAST_OF_EQUAL", "SLB_NO_SPIKES",   "SLB_CORNER_BY_SIDES", "SLB_COUNT_CLOSE"};
+
+/// Its back end and what it shares with the projection unit, one build with all of them: tests/rtl/slb.
+inline constexpr std::array<std::string_view, 13> kSlbFaults{
+    "SLB_EVICT_EARLIER", "SLB_FORGET_CENTRE", "SLB_KEEP_CORNER",    "SLB_FIRST_LINE",  "SLB_WRAP_WINDING",
+    "SLB_LOSE_CARRY",    "SLB_KEEP_LINES",    "SLB_COVER_ALL_ROWS", "SLB_LAST_OBJECT", "SLB_OPEN_HALF_PLANE",
+    "NO_FORWARDING",     "KEEP_GENERATION",   "SKIP_BARRIER"};
+
+/// All of them. A fault may stand in several.
+inline constexpr std::array<std::span<const std::string_view>, 3> kFaultLists{kBuiltInFaults,
+                                                                              kSlbOutlineFaults, kSlbFaults};
+
+}  // namespace gnomon::stimulus
