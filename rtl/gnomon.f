@@ -21,6 +21,8 @@ vpu/vpu_locate.sv
 vpu/vpu_project.sv
 vpu/vpu_nearest.sv
 vpu/vpu_gradient.sv
+vpu/vpu_lift.sv
+vpu/vpu_front.sv
 vpu/vpu_normalise.sv
 vpu/vpu_offset.sv
 vpu/vpu_margin.sv

@@ -34,6 +34,8 @@ package gnomon_pkg;
   localparam logic [7:0] OP_END_OBJECT       = 8'h25;
   localparam logic [7:0] OP_QUERY            = 8'h26;
   localparam logic [7:0] OP_READ_ENTRIES     = 8'h27;
+  localparam logic [7:0] OP_CLEAR_FRAME      = 8'h30;
+  localparam logic [7:0] OP_LOOKUP_FRAME     = 8'h31;
 
   localparam logic [7:0] FENCE_CLEAR_STICKY = 8'h01;
   localparam logic [7:0] RESOLVE_TWO_SIDED  = 8'h01;
@@ -41,6 +43,9 @@ package gnomon_pkg;
   localparam logic [7:0] TOPOLOGY_SORTED    = 8'h02;
   localparam logic [7:0] BEGIN_FLAT         = 8'h01;
   localparam logic [7:0] LOOP_MORE          = 8'h01;
+  localparam logic [7:0] LOOKUP_BRICK       = 8'h01;
+  localparam logic [7:0] RESOLVE_KEEP       = 8'h40;  // both resolve commands
+  localparam logic [7:0] RESOLVE_QUIET      = 8'h80;
 
   // Commands of topology mode: 0x12..0x15.
   function automatic bit is_topology_op(logic [7:0] op);
@@ -50,6 +55,16 @@ package gnomon_pkg;
   // Commands of the silhouette-line buffer: 0x20..0x27.
   function automatic bit is_slb_op(logic [7:0] op);
     is_slb_op = op >= OP_SLB_CLEAR && op <= OP_READ_ENTRIES;
+  endfunction
+
+  // Commands of the frame buffer: 0x30 and 0x31.
+  function automatic bit is_frame_op(logic [7:0] op);
+    is_frame_op = op == OP_CLEAR_FRAME || op == OP_LOOKUP_FRAME;
+  endfunction
+
+  // Commands whose states the frame buffer can keep.
+  function automatic bit is_resolve_op(logic [7:0] op);
+    is_resolve_op = op == OP_RESOLVE_VOXELS || op == OP_RESOLVE_TOPOLOGY;
   endfunction
 
   // ---- Registers ----
@@ -80,6 +95,7 @@ package gnomon_pkg;
   localparam logic [7:0] RESULT_VOXEL_STATE = 8'h11;
   localparam logic [7:0] RESULT_SLB_ANSWER  = 8'h26;
   localparam logic [7:0] RESULT_SLB_ENTRY   = 8'h27;
+  localparam logic [7:0] RESULT_FRAME_STATES = 8'h31;
   localparam logic [7:0] RESULT_ERROR       = 8'hFF;
 
   localparam logic [7:0] ERROR_NONE           = 8'd0;
@@ -184,6 +200,13 @@ package gnomon_pkg;
   localparam int unsigned DELTA_NORM_BITS     = 12;
   localparam int unsigned GRADIENT_NORM_BITS  = 16;
 
+  // What an item of the projection unit is for.
+  localparam int unsigned ITEM_KIND_BITS = 2;
+  localparam logic [1:0] ITEM_PROJECT = 2'd0;  // PROJECT_VOXELS
+  localparam logic [1:0] ITEM_OFFSET  = 2'd1;  // RESOLVE_VOXELS
+  localparam logic [1:0] ITEM_CORNER  = 2'd2;  // PUT_QUADS
+  localparam logic [1:0] ITEM_BEAM    = 2'd3;  // RESOLVE_TOPOLOGY
+
   // What travels with the two plane reads of a voxel, so that the unit holds nothing while it waits.
   typedef struct packed {
     logic        facing_away;
@@ -231,6 +254,15 @@ package gnomon_pkg;
   endfunction
   function automatic int unsigned max_of(int unsigned a, int unsigned b);
     max_of = (a > b) ? a : b;
+  endfunction
+  // The offset point: the sum of a place and of a gradient times OFFSET_FACTOR, one bit more than the wider of both. The
+  // depth is left with 4 fraction bits.
+  function automatic int unsigned uv_offset_bits(int unsigned f, int unsigned p, int unsigned n);
+    uv_offset_bits = max_of(uv_acc_bits(f, p), uv_gradient_bits(f, n) + OFFSET_FACTOR_BITS + 1 - OFFSET_FRAC_BITS) + 1;
+  endfunction
+  function automatic int unsigned depth_offset_bits(int unsigned d, int unsigned p, int unsigned n);
+    depth_offset_bits = max_of(depth_acc_bits(d, p),
+                               depth_gradient_bits(d, p, n) + OFFSET_FACTOR_BITS + 1 - OFFSET_FRAC_BITS) - p + 1;
   endfunction
 
   // ---- Counters ----

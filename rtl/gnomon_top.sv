@@ -129,6 +129,47 @@ module gnomon_top #(
   );
   assign idle_o = quiet && !res_valid_o;
 
+  // ---- Front end of the projection unit: both modes' items, one kind at a time, up to their places on the plane ----
+  localparam int unsigned POSITION  = VOXEL_BITS + VOXEL_FRAC_BITS;
+  localparam int unsigned FRONT_TAG = DEPTH_BITS + 1;
+  localparam int unsigned UV_ACC    = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, POSITION);
+  localparam int unsigned UV_G      = gnomon_pkg::uv_gradient_bits(MATRIX_FRAC_BITS, NORMAL_BITS);
+  localparam int unsigned D_G       = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, POSITION, NORMAL_BITS);
+  localparam int unsigned UV_SUM    = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, POSITION, NORMAL_BITS);
+  localparam int unsigned D_SUM     = gnomon_pkg::depth_offset_bits(DEPTH_BITS, POSITION, NORMAL_BITS);
+  logic                                      front_en, front_idle, front_valid, vpu_stall, topology_stall;
+  logic                                      topology_two_sided, place_off_plane, place_saturated, facing_away;
+  logic [gnomon_pkg::ITEM_KIND_BITS-1:0]     front_kind, vpu_kind, topology_kind;
+  logic [FRONT_TAG-1:0]                      front_tag, topology_tag;
+  logic [gnomon_pkg::SHIFT_BITS-1:0]         facing_shift, tilt_shift, delta_shift;
+  logic [gnomon_pkg::MARGIN_BITS-1:0]        margin_squared;
+  logic [DEPTH_BITS-1:0]                     delta_max;
+  logic signed [UV_ACC-1:0]                  u_acc, v_acc;
+  logic [INDEX-1:0]                          place_index;
+  logic [DEPTH-1:0]                          place_depth;
+  logic signed [UV_G-1:0]                    g_u, g_v;
+  logic signed [D_G-1:0]                     g_d;
+  logic signed [UV_SUM-1:0]                  u_sum, v_sum;
+  logic signed [D_SUM-1:0]                   d_sum;
+  assign front_en = !vpu_stall && !topology_stall;
+  assign vpu_kind = item_resolve ? gnomon_pkg::ITEM_OFFSET : gnomon_pkg::ITEM_PROJECT;
+  assign topology_item_ready = front_en;
+  vpu_front #(
+    .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
+    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
+    .RESOLVES(EN_VPU_OFFSET || EN_VPU_TOPOLOGY), .TAG_BITS(FRONT_TAG)
+  ) u_front (
+    .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index), .en_i(front_en),
+    .item_valid_i((item_valid && item_ready) || topology_item_valid), .word_i(word),
+    .kind_i(topology_item_valid ? topology_kind : vpu_kind),
+    .two_sided_i(topology_item_valid ? topology_two_sided : item_two_sided), .tag_i(topology_tag), .idle_o(front_idle),
+    .facing_shift_o(facing_shift), .tilt_shift_o(tilt_shift), .delta_shift_o(delta_shift),
+    .margin_squared_o(margin_squared), .delta_max_o(delta_max), .valid_o(front_valid), .kind_o(front_kind),
+    .tag_o(front_tag), .u_acc_o(u_acc), .v_acc_o(v_acc), .off_plane_o(place_off_plane), .index_o(place_index),
+    .depth_o(place_depth), .saturated_o(place_saturated), .g_u_o(g_u), .g_v_o(g_v), .g_d_o(g_d),
+    .facing_away_o(facing_away), .u_sum_o(u_sum), .v_sum_o(v_sum), .d_sum_o(d_sum)
+  );
+
   if (EN_VPU_TOPOLOGY) begin : gen_topology
     topology #(
       .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
@@ -136,23 +177,29 @@ module gnomon_top #(
       .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(LATENCY),
       .MEM_STALL_SEED(MEM_STALL_SEED)
     ) u_topology (
-      .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index),
-      .start_i(topology_start), .item_valid_i(topology_item_valid), .item_ready_o(topology_item_ready), .word_i(word),
+      .clk_i, .rst_ni, .start_i(topology_start), .header_i(word), .kind_o(topology_kind),
+      .two_sided_o(topology_two_sided), .tag_o(topology_tag), .en_i(front_en), .stall_o(topology_stall),
+      .front_idle_i(front_idle), .valid_i(front_valid), .kind_i(front_kind), .tag_i(front_tag), .u_acc_i(u_acc),
+      .v_acc_i(v_acc), .depth_i(place_depth[DEPTH_BITS-1:0]), .saturated_i(place_saturated),
+      .facing_away_i(facing_away), .u_sum_i(u_sum), .v_sum_i(v_sum), .d_sum_i(d_sum),
       .result_valid_o(topology_valid), .result_ready_i(result_ready), .result_o(topology_result),
       .idle_o(topology_idle), .step_o(topology_step), .wait_o(topology_wait), .clipped_o(topology_clipped),
       .events_o(topology_events)
     );
   end else begin : gen_no_topology
-    assign topology_item_ready = 1'b1;
-    assign topology_valid      = 1'b0;
-    assign topology_result     = '0;
-    assign topology_idle       = 1'b1;
-    assign topology_step       = 1'b0;
-    assign topology_wait       = 1'b0;
-    assign topology_clipped    = 1'b0;
-    assign topology_events     = '0;
+    assign topology_kind      = gnomon_pkg::ITEM_CORNER;
+    assign topology_two_sided = 1'b0;
+    assign topology_tag       = '0;
+    assign topology_stall     = 1'b0;
+    assign topology_valid     = 1'b0;
+    assign topology_result    = '0;
+    assign topology_idle      = 1'b1;
+    assign topology_step      = 1'b0;
+    assign topology_wait      = 1'b0;
+    assign topology_clipped   = 1'b0;
+    assign topology_events    = '0;
     logic unused_topology;
-    assign unused_topology = ^{topology_start, topology_item_valid};
+    assign unused_topology = ^{topology_start, front_idle, front_tag, u_acc, v_acc};
   end
 
   if (EN_SLB) begin : gen_slb
@@ -179,7 +226,7 @@ module gnomon_top #(
     assign unused_slb = ^{slb_start, slb_item_valid, slb_close_valid};
   end
 
-  // ---- VPU ----
+  // ---- Offset mode ----
   logic                         update_valid, update_ready, modify_write;
   logic [INDEX-1:0]             update_index;
   logic [DEPTH-1:0]             update_operand, modify_operand, modify_depth;
@@ -197,9 +244,12 @@ module gnomon_top #(
     .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
     .EN_VPU_OFFSET(EN_VPU_OFFSET)
   ) u_vpu (
-    .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index), .register_value_i(word),
-    .item_valid_i(item_valid), .item_ready_o(item_ready), .item_i(word), .item_resolve_i(item_resolve),
-    .item_two_sided_i(item_two_sided), .idle_o(vpu_idle),
+    .clk_i, .rst_ni, .item_valid_i(item_valid), .item_ready_o(item_ready), .idle_o(vpu_idle), .en_i(front_en),
+    .stall_o(vpu_stall), .facing_shift_i(facing_shift), .tilt_shift_i(tilt_shift), .delta_shift_i(delta_shift),
+    .margin_squared_i(margin_squared), .delta_max_i(delta_max), .valid_i(front_valid), .kind_i(front_kind),
+    .place_off_plane_i(place_off_plane), .place_index_i(place_index), .place_depth_i(place_depth),
+    .place_saturated_i(place_saturated), .g_u_i(g_u), .g_v_i(g_v), .g_d_i(g_d), .facing_away_i(facing_away),
+    .u_sum_i(u_sum), .v_sum_i(v_sum), .d_sum_i(d_sum),
     .update_valid_o(update_valid), .update_ready_i(update_ready), .update_index_o(update_index),
     .update_operand_o(update_operand), .modify_entry_i(modify_entry), .modify_operand_i(modify_operand),
     .modify_write_o(modify_write), .modify_depth_o(modify_depth),
@@ -303,6 +353,7 @@ module gnomon_top #(
 
   `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(topology_valid) + 3'(slb_valid) +
                  3'(vpu_valid) <= 3'd1)
+  `GNOMON_ASSERT(a_write_while_idle, !register_write || (vpu_idle && topology_idle))
   `GNOMON_ASSERT(a_reader_alone, !reader_busy || (reading && vpu_idle))
   `GNOMON_ASSERT_STREAM(a_result_stable, res_valid_o, res_ready_i, res_data_o)
 

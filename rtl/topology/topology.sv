@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Topology mode of the voxel projection unit: quads into the lists of the plane entries that they meet, then voxels,
+// Topology mode of the projection unit, behind vpu_front: quads into the lists of the plane entries that they meet, then voxels,
 // whose beams are tested against the quads of their entry (docs/vpu-topology.md has the definition and the pipeline).
 
 `include "assertions.svh"
@@ -16,19 +16,37 @@ module topology #(
   parameter int unsigned NODES_LOG2       = 20,
   parameter int unsigned QUADS_LOG2       = 18,
   parameter int unsigned MEM_LATENCY      = 1,
-  parameter int unsigned MEM_STALL_SEED   = 0
+  parameter int unsigned MEM_STALL_SEED   = 0,
+  // Derived; not to be overridden.
+  parameter int unsigned P      = VOXEL_BITS + VOXEL_FRAC_BITS,
+  parameter int unsigned UV_ACC = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, P),
+  parameter int unsigned UV_SUM = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, P, NORMAL_BITS),
+  parameter int unsigned D_SUM  = gnomon_pkg::depth_offset_bits(DEPTH_BITS, P, NORMAL_BITS),
+  parameter int unsigned TAG    = DEPTH_BITS + 1
 ) (
   input  logic                                       clk_i,
   input  logic                                       rst_ni,
-  // Register writes, those of the whole projection unit; only while idle.
-  input  logic                                       register_write_i,
-  input  logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index_i,
-  // A good command of this unit begins with header `word_i`; its items follow as `word_i`. Another kind of command
-  // begins only while the unit is idle.
+  // A good command of this unit begins with its header; what its items are goes with each of them into the front end.
+  // Another kind of command begins only while the unit is idle.
   input  logic                                       start_i,
-  input  logic                                       item_valid_i,
-  output logic                                       item_ready_o,
-  input  logic [63:0]                                word_i,           // header, item, or value of a register
+  input  logic [63:0]                                header_i,
+  output logic [gnomon_pkg::ITEM_KIND_BITS-1:0]      kind_o,
+  output logic                                       two_sided_o,
+  output logic [TAG-1:0]                             tag_o,            // {clearance, sorted}
+  // The front end and stages 4 and 5 move together.
+  input  logic                                       en_i,
+  output logic                                       stall_o,          // an item waits for room
+  input  logic                                       front_idle_i,
+  // Stage 3: an item on the plane; stage 4: its lifted point.
+  input  logic                                       valid_i,
+  input  logic [gnomon_pkg::ITEM_KIND_BITS-1:0]      kind_i,
+  input  logic [TAG-1:0]                             tag_i,
+  input  logic signed [UV_ACC-1:0]                   u_acc_i, v_acc_i,
+  input  logic [DEPTH_BITS-1:0]                      depth_i,
+  input  logic                                       saturated_i,
+  input  logic                                       facing_away_i,
+  input  logic signed [UV_SUM-1:0]                   u_sum_i, v_sum_i,
+  input  logic signed [D_SUM-1:0]                    d_sum_i,
   output logic                                       result_valid_o,   // TOPOLOGY_STATE and LIST_HEAD words
   input  logic                                       result_ready_i,
   output logic [63:0]                                result_o,
@@ -39,14 +57,7 @@ module topology #(
   output topology_pkg::topology_events_t             events_o
 );
 
-  localparam int unsigned P          = VOXEL_BITS + VOXEL_FRAC_BITS;
-  localparam int unsigned UV_M       = gnomon_pkg::uv_coefficient_bits(MATRIX_FRAC_BITS);
-  localparam int unsigned UV_1       = gnomon_pkg::uv_constant_bits(MATRIX_FRAC_BITS, P);
-  localparam int unsigned UV_ACC     = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, P);
   localparam int unsigned D          = DEPTH_BITS;
-  localparam int unsigned D_M        = gnomon_pkg::depth_coefficient_bits(D, P);
-  localparam int unsigned D_1        = gnomon_pkg::depth_constant_bits(D, P);
-  localparam int unsigned D_ACC      = gnomon_pkg::depth_acc_bits(D, P);
   localparam int unsigned INDEX      = 2 * PLANE_LOG2;
   localparam int unsigned COORDINATE = PLANE_LOG2 + SUB_BITS + 2;
   localparam int unsigned HEAD       = topology_pkg::head_bits(D, NODES_LOG2);
@@ -58,30 +69,11 @@ module topology #(
   localparam int unsigned NODE_TAG   = 2 * topology_pkg::COUNT_BITS + WALKS_LOG2;
   localparam int unsigned RECORD_TAG = NODE_TAG + 1 + NODES_LOG2 + QUADS_LOG2;
 
-  // ---- Registers; this mode has no use for those of the margin test ----
-  logic signed [UV_M-1:0]                    ux, uy, uz, vx, vy, vz;
-  logic signed [UV_1-1:0]                    u1, v1;
-  logic signed [D_M-1:0]                     dx, dy, dz;
-  logic signed [D_1-1:0]                     d1;
-  logic [gnomon_pkg::OFFSET_FACTOR_BITS-1:0] offset_factor;
-  logic [gnomon_pkg::SHIFT_BITS-1:0]         facing_shift, tilt_shift, delta_shift;
-  logic [gnomon_pkg::MARGIN_BITS-1:0]        margin_squared;
-  logic [D-1:0]                              delta_max;
-  logic                                      unused_margin;
-  vpu_registers #(.POSITION_BITS(P), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D)) u_registers (
-    .clk_i, .rst_ni, .write_i(register_write_i), .index_i(register_index_i), .value_i(word_i),
-    .ux_o(ux), .uy_o(uy), .uz_o(uz), .u1_o(u1), .vx_o(vx), .vy_o(vy), .vz_o(vz), .v1_o(v1),
-    .dx_o(dx), .dy_o(dy), .dz_o(dz), .d1_o(d1), .offset_factor_o(offset_factor), .facing_shift_o(facing_shift),
-    .tilt_shift_o(tilt_shift), .delta_shift_o(delta_shift), .margin_squared_o(margin_squared),
-    .delta_max_o(delta_max)
-  );
-  assign unused_margin = ^{facing_shift, tilt_shift, delta_shift, margin_squared, delta_max};
-
   // ---- The command in progress ----
   gnomon_pkg::header_t header;
   logic                clear_start, read_start, put_q, two_sided_q, sorted_q, unused_header;
   logic [D-1:0]        clearance_q;
-  assign header        = word_i;
+  assign header        = header_i;
   assign clear_start   = start_i && header.op == gnomon_pkg::OP_CLEAR_LISTS;
   assign read_start    = start_i && header.op == gnomon_pkg::OP_READ_LISTS;
   assign unused_header = ^header.count;
@@ -93,43 +85,12 @@ module topology #(
       clearance_q <= header.arg[D-1:0];
     end
   end
+  assign kind_o      = put_q ? gnomon_pkg::ITEM_CORNER : gnomon_pkg::ITEM_BEAM;
+  assign two_sided_o = two_sided_q;
+  assign tag_o       = {clearance_q, sorted_q};
 
-  // ---- Control: stages 0 to 3, and 4 and 5 of a voxel, move together or not at all; arguments travel along ----
-  localparam int unsigned ARGS = D + 3;
-  logic [3:0]        valid_q;       // bit s: stage s
-  logic [6*ARGS-1:0] args_q;        // {clearance, sorted, two-sided, put}, stage 0 in the low bits
-  logic              en, put3, corner_valid, corner_ready, ask, asked;
-  assign en           = !(corner_valid && !corner_ready) && !(ask && !asked);
-  assign item_ready_o = en;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q <= '0;
-    else if (en) valid_q <= {valid_q[2:0], item_valid_i};
-  end
-  always_ff @(posedge clk_i) begin
-    if (en) args_q <= {args_q[5*ARGS-1:0], clearance_q, sorted_q, two_sided_q, put_q};
-  end
-  assign put3 = args_q[3*ARGS];
-
-  // ---- Stage 0: fields; stages 1 to 3: projection ----
-  logic [P-1:0]                            x, y, z;
-  logic signed [NORMAL_BITS-1:0]           nx, ny, nz;
-  logic signed [UV_ACC-1:0]                u_acc, v_acc;
-  logic signed [D_ACC-1:0]                 d_acc;
-  logic                                    off_plane, saturated, unused_entry;
-  logic [INDEX-1:0]                        entry;
-  logic [gnomon_pkg::DEPTH_FIELD_BITS-1:0] depth;
-  vpu_unpack #(.POSITION_BITS(P), .NORMAL_BITS(NORMAL_BITS)) u_unpack (
-    .clk_i, .en_i(en), .item_i(word_i), .x_o(x), .y_o(y), .z_o(z), .nx_o(nx), .ny_o(ny), .nz_o(nz)
-  );
-  vpu_project #(
-    .POSITION_BITS(P), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2)
-  ) u_project (
-    .clk_i, .en_i(en), .x_i(x), .y_i(y), .z_i(z), .ux_i(ux), .uy_i(uy), .uz_i(uz), .u1_i(u1),
-    .vx_i(vx), .vy_i(vy), .vz_i(vz), .v1_i(v1), .dx_i(dx), .dy_i(dy), .dz_i(dz), .d1_i(d1),
-    .u_acc_o(u_acc), .v_acc_o(v_acc), .d_acc_o(d_acc), .off_plane_o(off_plane), .index_o(entry), .depth_o(depth),
-    .saturated_o(saturated)
-  );
-  assign unused_entry = ^{off_plane, entry, depth};  // of a whole entry; this mode is finer
+  logic corner_valid, corner_ready, ask, asked;
+  assign stall_o = (corner_valid && !corner_ready) || (ask && !asked);
 
   // ---- PUT_QUADS ----
   logic                         put_idle, update_valid, update_ready, modify_valid, modify_present;
@@ -141,19 +102,19 @@ module topology #(
   logic [QUADS_LOG2-1:0]        put_record_index;
   logic [RECORD-1:0]            put_record;
   logic signed [COORDINATE-1:0] corner_u, corner_v;
-  assign corner_valid = valid_q[3] && put3;
+  assign corner_valid = valid_i && kind_i == gnomon_pkg::ITEM_CORNER;
   topology_corner #(
     .ACC_BITS(UV_ACC), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
-  ) u_corner_u (.acc_i(u_acc), .sub_o(corner_u));
+  ) u_corner_u (.acc_i(u_acc_i), .sub_o(corner_u));
   topology_corner #(
     .ACC_BITS(UV_ACC), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
-  ) u_corner_v (.acc_i(v_acc), .sub_o(corner_v));
+  ) u_corner_v (.acc_i(v_acc_i), .sub_o(corner_v));
   topology_put #(
     .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
     .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(MEM_LATENCY)
   ) u_put (
     .clk_i, .rst_ni, .clear_i(clear_start), .corner_valid_i(corner_valid), .corner_ready_o(corner_ready),
-    .u_i(corner_u), .v_i(corner_v), .depth_i(depth[D-1:0]), .saturated_i(saturated), .update_valid_o(update_valid),
+    .u_i(corner_u), .v_i(corner_v), .depth_i, .saturated_i, .update_valid_o(update_valid),
     .update_ready_i(update_ready), .update_index_o(update_index), .update_operand_o(update_operand),
     .modify_valid_i(modify_valid), .modify_present_i(modify_present), .modify_head_i(modify_head),
     .modify_operand_i(modify_operand), .modify_head_o(new_head), .node_valid_o(node_write),
@@ -181,10 +142,8 @@ module topology #(
     .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
     .QUADS_LOG2(QUADS_LOG2), .WALKS_LOG2(WALKS_LOG2)
   ) u_resolve (
-    .clk_i, .rst_ni, .en_i(en), .ux_i(ux), .uy_i(uy), .uz_i(uz), .vx_i(vx), .vy_i(vy), .vz_i(vz), .dx_i(dx),
-    .dy_i(dy), .dz_i(dz), .offset_factor_i(offset_factor), .nx_i(nx), .ny_i(ny), .nz_i(nz),
-    .two_sided_i(args_q[2*ARGS+1]), .valid_i(valid_q[3] && !put3), .u_acc_i(u_acc), .v_acc_i(v_acc),
-    .d_acc_i(d_acc), .sorted_i(args_q[5*ARGS+2]), .clearance_i(args_q[5*ARGS+3+:D]), .idle_o(resolve_idle),
+    .clk_i, .rst_ni, .en_i, .valid_i(valid_i && kind_i == gnomon_pkg::ITEM_BEAM), .facing_away_i, .sorted_i(tag_i[0]),
+    .clearance_i(tag_i[D:1]), .u_sum_i, .v_sum_i, .d_sum_i, .idle_o(resolve_idle),
     .read_valid_o(ask), .read_ready_i(asked), .read_index_o(ask_index), .read_tag_o(ask_tag),
     .head_valid_i(resolve_head), .head_ready_o(resolve_taken), .head_present_i(head_present), .head_i(head),
     .head_tag_i(head_tag), .ask_valid_o(node_ask), .ask_ready_i(node_asked), .ask_index_o(node_index),
@@ -261,7 +220,7 @@ module topology #(
   assign events_o.fallback    = state_given && state.fallback;
   assign events_o.shadow      = state_given && state.state == gnomon_pkg::STATE_SHADOW;
 
-  assign idle_o = valid_q == '0 && put_idle && resolve_idle && !reader_busy && heads_idle && nodes_idle && records_idle;
+  assign idle_o = front_idle_i && put_idle && resolve_idle && !reader_busy && heads_idle && nodes_idle && records_idle;
   assign step_o = scrubbing || (update_valid && update_ready) || events_o.node_visited ||
                   (reader_ask && reader_asked) || (reader_valid && result_ready_i);
   assign wait_o = (read_valid && !read_ready) || (update_valid && !update_ready) || (node_write && !node_written) ||
@@ -269,7 +228,6 @@ module topology #(
 
   `GNOMON_ASSERT(a_one_pass, !(corner_valid && ask))
   `GNOMON_ASSERT(a_one_source, !(reader_valid && state_valid))
-  `GNOMON_ASSERT(a_write_while_idle, !register_write_i || idle_o)
   `GNOMON_ASSERT(a_alone, !(clear_start || read_start) || idle_o)
   `GNOMON_ASSERT_STREAM(a_result_stable, result_valid_o, result_ready_i, result_o)
 

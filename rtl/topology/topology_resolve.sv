@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RESOLVE_TOPOLOGY from the registered normal on: gradient and lifted beam beside the projection, the read of the
-// entry's head, then a result or a walk.
+// RESOLVE_TOPOLOGY from the lifted point on: the beam, the read of its entry's head, then a result or a walk.
 
 `include "assertions.svh"
 
@@ -16,10 +15,8 @@ module topology_resolve #(
   parameter int unsigned QUADS_LOG2       = 18,
   parameter int unsigned WALKS_LOG2       = 6,
   // Derived; not to be overridden.
-  parameter int unsigned UV_M     = gnomon_pkg::uv_coefficient_bits(MATRIX_FRAC_BITS),
-  parameter int unsigned UV_ACC   = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, POSITION_BITS),
-  parameter int unsigned D_M      = gnomon_pkg::depth_coefficient_bits(DEPTH_BITS, POSITION_BITS),
-  parameter int unsigned D_ACC    = gnomon_pkg::depth_acc_bits(DEPTH_BITS, POSITION_BITS),
+  parameter int unsigned UV_SUM   = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, POSITION_BITS, NORMAL_BITS),
+  parameter int unsigned D_SUM    = gnomon_pkg::depth_offset_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS),
   parameter int unsigned PLACE    = PLANE_LOG2 + SUB_BITS,
   parameter int unsigned HEAD     = topology_pkg::head_bits(DEPTH_BITS, NODES_LOG2),
   parameter int unsigned HEAD_TAG = 3 + DEPTH_BITS + 2 * PLACE,
@@ -31,19 +28,13 @@ module topology_resolve #(
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
   input  logic                                      en_i,     // the pipeline up to the read moves
-  // Registers.
-  input  logic signed [UV_M-1:0]                    ux_i, uy_i, uz_i,
-  input  logic signed [UV_M-1:0]                    vx_i, vy_i, vz_i,
-  input  logic signed [D_M-1:0]                     dx_i, dy_i, dz_i,
-  input  logic [gnomon_pkg::OFFSET_FACTOR_BITS-1:0] offset_factor_i,
-  // Stage 0: the normal; stage 2: two-sided; stage 3: a voxel with its projection; stage 5: sorted, clearance.
-  input  logic signed [NORMAL_BITS-1:0]             nx_i, ny_i, nz_i,
-  input  logic                                      two_sided_i,
+  // Stage 3: a voxel, whether it faces away, its arguments; stage 4: its lifted point.
   input  logic                                      valid_i,
-  input  logic signed [UV_ACC-1:0]                  u_acc_i, v_acc_i,
-  input  logic signed [D_ACC-1:0]                   d_acc_i,
+  input  logic                                      facing_away_i,
   input  logic                                      sorted_i,
   input  logic [DEPTH_BITS-1:0]                     clearance_i,
+  input  logic signed [UV_SUM-1:0]                  u_sum_i, v_sum_i,
+  input  logic signed [D_SUM-1:0]                   d_sum_i,
   output logic                                      idle_o,   // but for reads under way
   // List heads.
   output logic                                      read_valid_o,
@@ -81,30 +72,20 @@ module topology_resolve #(
   output logic                                      tested_o
 );
 
-  localparam int unsigned UV_G = gnomon_pkg::uv_gradient_bits(MATRIX_FRAC_BITS, NORMAL_BITS);
-  localparam int unsigned D_G  = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS);
-  localparam int unsigned D    = DEPTH_BITS;
+  localparam int unsigned D = DEPTH_BITS;
 
-  // ---- Stages 1 to 3: gradient of the normal, beside the projection; 4 and 5: the beam ----
-  logic signed [UV_G-1:0] g_u, g_v;
-  logic signed [D_G-1:0]  g_d;
-  logic                   facing_away, off_plane;
-  logic [PLACE-1:0]       u, v;
-  logic [D-1:0]           depth;
-  vpu_gradient #(
-    .POSITION_BITS(POSITION_BITS), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D)
-  ) u_gradient (
-    .clk_i, .en_i, .nx_i, .ny_i, .nz_i, .ux_i, .uy_i, .uz_i, .vx_i, .vy_i, .vz_i, .dx_i, .dy_i, .dz_i,
-    .two_sided_i, .g_u_o(g_u), .g_v_o(g_v), .g_d_o(g_d), .facing_away_o(facing_away)
-  );
+  // ---- Stages 4 and 5 ----
+  logic             off_plane;
+  logic [PLACE-1:0] u, v;
+  logic [D-1:0]     depth;
   topology_lift #(
     .POSITION_BITS(POSITION_BITS), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D),
     .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
   ) u_lift (
-    .clk_i, .en_i, .factor_i(offset_factor_i), .u_acc_i, .v_acc_i, .d_acc_i, .g_u_i(g_u), .g_v_i(g_v), .g_d_i(g_d),
-    .off_plane_o(off_plane), .u_o(u), .v_o(v), .depth_o(depth)
+    .clk_i, .en_i, .u_sum_i, .v_sum_i, .d_sum_i, .off_plane_o(off_plane), .u_o(u), .v_o(v), .depth_o(depth)
   );
-  logic valid4_q, valid5_q, facing_away4_q, facing_away5_q;
+  logic         valid4_q, valid5_q, facing_away4_q, facing_away5_q, sorted4_q, sorted5_q;
+  logic [D-1:0] clearance4_q, clearance5_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid4_q <= 1'b0;
@@ -116,17 +97,21 @@ module topology_resolve #(
   end
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      facing_away4_q <= facing_away;
+      facing_away4_q <= facing_away_i;
+      sorted4_q      <= sorted_i;
+      clearance4_q   <= clearance_i;
       facing_away5_q <= facing_away4_q;
+      sorted5_q      <= sorted4_q;
+      clearance5_q   <= clearance4_q;
     end
   end
 
   // ---- Head read. far + clearance < d_a is far < limit; of a voxel that needs no look, any head will do ----
   logic [D-1:0] limit;
-  assign limit        = (depth > clearance_i) ? depth - clearance_i : '0;
+  assign limit        = (depth > clearance5_q) ? depth - clearance5_q : '0;
   assign read_valid_o = valid5_q;
   assign read_index_o = {v[PLACE-1:SUB_BITS], u[PLACE-1:SUB_BITS]};
-  assign read_tag_o   = {facing_away5_q, off_plane, sorted_i, limit, v, u};
+  assign read_tag_o   = {facing_away5_q, off_plane, sorted5_q, limit, v, u};
 
   // ---- The head is known ----
   logic                  dropped, linked, head_facing, head_off, head_sorted, uncertain, walked;

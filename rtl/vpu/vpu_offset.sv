@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The offset point A' = A + factor·N along the beam of A: entry (u', v') and depth code d', and beside it the normalised
-// gradients for the margin test. Two stages: products and magnitudes; sums, floors and saturation.
+// The offset point's entry (u', v') and depth code d', and beside it the normalised gradients for the margin test. Two
+// stages: magnitudes, beside the products of the offset point; floors and saturation.
 
 module vpu_offset #(
   parameter int unsigned POSITION_BITS    = 10,
@@ -9,81 +9,46 @@ module vpu_offset #(
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
   // Derived; not to be overridden.
-  parameter int unsigned UV_ACC = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, POSITION_BITS),
-  parameter int unsigned D_ACC  = gnomon_pkg::depth_acc_bits(DEPTH_BITS, POSITION_BITS),
   parameter int unsigned UV_G   = gnomon_pkg::uv_gradient_bits(MATRIX_FRAC_BITS, NORMAL_BITS),
-  parameter int unsigned D_G    = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS)
+  parameter int unsigned D_G    = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS),
+  parameter int unsigned UV_SUM = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, POSITION_BITS, NORMAL_BITS),
+  parameter int unsigned D_SUM  = gnomon_pkg::depth_offset_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS)
 ) (
   input  logic                                          clk_i,
   input  logic                                          en_i,
-  input  logic [gnomon_pkg::OFFSET_FACTOR_BITS-1:0]     factor_i,
   input  logic [gnomon_pkg::SHIFT_BITS-1:0]             facing_shift_i, tilt_shift_i,
-  input  logic signed [UV_ACC-1:0]                      u_acc_i, v_acc_i,
-  input  logic signed [D_ACC-1:0]                       d_acc_i,
+  // First stage.
   input  logic signed [UV_G-1:0]                        g_u_i, g_v_i,
   input  logic signed [D_G-1:0]                         g_d_i,
+  // Second stage.
+  input  logic signed [UV_SUM-1:0]                      u_sum_i, v_sum_i,
+  input  logic signed [D_SUM-1:0]                       d_sum_i,
   output logic                                          off_plane_o,
   output logic [2*PLANE_LOG2-1:0]                       index_o,
   output logic [gnomon_pkg::DEPTH_FIELD_BITS-1:0]       depth_o,
   output logic [gnomon_pkg::GRADIENT_NORM_BITS-1:0]     facing_o, tilt_u_o, tilt_v_o  // g_dn, g_un, g_vn
 );
 
-  localparam int unsigned FACTOR = gnomon_pkg::OFFSET_FACTOR_BITS + 1;  // unsigned factor with a sign bit
-  localparam int unsigned FRAC   = gnomon_pkg::OFFSET_FRAC_BITS;
-  localparam int unsigned NORM   = gnomon_pkg::GRADIENT_NORM_BITS;
-  localparam int unsigned DEPTH  = gnomon_pkg::DEPTH_FIELD_BITS;
+  localparam int unsigned NORM  = gnomon_pkg::GRADIENT_NORM_BITS;
+  localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
 
-  // The depth is worked on with 4 fraction bits: both of its parts drop P bits first.
-  localparam int unsigned D_GS = D_G - POSITION_BITS;
-  localparam int unsigned D_AS = D_ACC - POSITION_BITS;
-
-  // ---- Stage 1: products and magnitudes ----
-  localparam int unsigned UV_PRODUCT = UV_G + FACTOR;
-  localparam int unsigned D_PRODUCT  = D_GS + FACTOR;
-
-  logic signed [FACTOR-1:0] factor;
-  logic signed [D_GS-1:0]   g_ds;
-  assign factor = {1'b0, factor_i};
-  assign g_ds   = D_GS'(g_d_i >>> POSITION_BITS);  // floor; the P bits dropped make room for the cast
-
-  logic signed [UV_PRODUCT-1:0] product_u_q, product_v_q;
-  logic signed [D_PRODUCT-1:0]  product_d_q;
-  logic signed [UV_ACC-1:0]     u_acc_q, v_acc_q;
-  logic signed [D_AS-1:0]       d_acc_q;
-  logic [UV_G-2:0]              size_u_q, size_v_q;  // |g| < 2^(width-1): a bit less
-  logic [D_G-2:0]               size_d_q;
-
+  // ---- First stage: magnitudes ----
+  logic [UV_G-2:0] size_u_q, size_v_q;  // |g| < 2^(width-1): a bit less
+  logic [D_G-2:0]  size_d_q;
   logic [UV_G-1:0] size_u, size_v;
   logic [D_G-1:0]  size_d;
   assign size_u = g_u_i[UV_G-1] ? -g_u_i : g_u_i;
   assign size_v = g_v_i[UV_G-1] ? -g_v_i : g_v_i;
   assign size_d = g_d_i[D_G-1] ? -g_d_i : g_d_i;
-
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      product_u_q <= UV_PRODUCT'(factor) * UV_PRODUCT'(g_u_i);
-      product_v_q <= UV_PRODUCT'(factor) * UV_PRODUCT'(g_v_i);
-      product_d_q <= D_PRODUCT'(factor) * D_PRODUCT'(g_ds);
-      u_acc_q     <= u_acc_i;
-      v_acc_q     <= v_acc_i;
-      d_acc_q     <= D_AS'(d_acc_i >>> POSITION_BITS);  // floor
-      size_u_q    <= size_u[UV_G-2:0];
-      size_v_q    <= size_v[UV_G-2:0];
-      size_d_q    <= size_d[D_G-2:0];
+      size_u_q <= size_u[UV_G-2:0];
+      size_v_q <= size_v[UV_G-2:0];
+      size_d_q <= size_d[D_G-2:0];
     end
   end
 
-  // ---- Stage 2: sums, entry, depth code, normalised gradients ----
-  // Growth: one bit more than the wider of the two addends.
-  localparam int unsigned UV_SUM = gnomon_pkg::max_of(UV_ACC, UV_PRODUCT - FRAC) + 1;
-  localparam int unsigned D_SUM  = gnomon_pkg::max_of(D_AS, D_PRODUCT - FRAC) + 1;
-
-  logic signed [UV_SUM-1:0] u_sum, v_sum;
-  logic signed [D_SUM-1:0]  d_sum;
-  assign u_sum = UV_SUM'(u_acc_q) + UV_SUM'(product_u_q >>> FRAC);  // floor
-  assign v_sum = UV_SUM'(v_acc_q) + UV_SUM'(product_v_q >>> FRAC);  // floor
-  assign d_sum = D_SUM'(d_acc_q) + D_SUM'(product_d_q >>> FRAC);    // floor
-
+  // ---- Second stage: entry, depth code, normalised gradients ----
   logic                    off_plane, unused_saturated;  // only the project pass flags saturation
   logic [2*PLANE_LOG2-1:0] index;
   logic [DEPTH-1:0]        depth;
@@ -95,7 +60,7 @@ module vpu_offset #(
     .DEPTH_BITS  (DEPTH_BITS),
     .PLANE_LOG2  (PLANE_LOG2)
   ) u_locate (
-    .u_i(u_sum), .v_i(v_sum), .d_i(d_sum),
+    .u_i(u_sum_i), .v_i(v_sum_i), .d_i(d_sum_i),
     .off_plane_o(off_plane), .index_o(index), .depth_o(depth), .saturated_o(unused_saturated)
   );
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolve pass of the VPU: gradient and offset point beside the projection, both plane reads at once, then the margin
-// test. What a voxel needs after its reads travels with them as tags, so that any number may be under way.
+// Resolve pass of offset mode: entry of the offset point, both plane reads at once, then the margin test. What a voxel
+// needs after its reads travels with them as tags, so that any number may be under way.
 
 `include "assertions.svh"
 
@@ -11,32 +11,29 @@ module vpu_resolve #(
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
   // Derived; not to be overridden.
-  parameter int unsigned UV_M   = gnomon_pkg::uv_coefficient_bits(MATRIX_FRAC_BITS),
-  parameter int unsigned UV_ACC = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, POSITION_BITS),
-  parameter int unsigned D_M    = gnomon_pkg::depth_coefficient_bits(DEPTH_BITS, POSITION_BITS),
-  parameter int unsigned D_ACC  = gnomon_pkg::depth_acc_bits(DEPTH_BITS, POSITION_BITS)
+  parameter int unsigned UV_G   = gnomon_pkg::uv_gradient_bits(MATRIX_FRAC_BITS, NORMAL_BITS),
+  parameter int unsigned D_G    = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS),
+  parameter int unsigned UV_SUM = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, POSITION_BITS, NORMAL_BITS),
+  parameter int unsigned D_SUM  = gnomon_pkg::depth_offset_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS)
 ) (
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
   input  logic                                      en_i,     // the pipeline up to the reads moves
   output logic                                      stall_o,  // the reads of the last stage are not both taken
   // Registers.
-  input  logic signed [UV_M-1:0]                    ux_i, uy_i, uz_i,
-  input  logic signed [UV_M-1:0]                    vx_i, vy_i, vz_i,
-  input  logic signed [D_M-1:0]                     dx_i, dy_i, dz_i,
-  input  logic [gnomon_pkg::OFFSET_FACTOR_BITS-1:0] offset_factor_i,
   input  logic [gnomon_pkg::SHIFT_BITS-1:0]         facing_shift_i, tilt_shift_i, delta_shift_i,
   input  logic [gnomon_pkg::MARGIN_BITS-1:0]        margin_squared_i,
   input  logic [DEPTH_BITS-1:0]                     delta_max_i,
-  // Stage 0: the normal; stage 2: two-sided; stage 3: a voxel to resolve, with its projection.
-  input  logic signed [NORMAL_BITS-1:0]             nx_i, ny_i, nz_i,
-  input  logic                                      two_sided_i,
+  // Stage 3: a voxel to resolve with its place on the plane, the gradient of its normal; stage 4: its offset point.
   input  logic                                      valid_i,
-  input  logic signed [UV_ACC-1:0]                  u_acc_i, v_acc_i,
-  input  logic signed [D_ACC-1:0]                   d_acc_i,
   input  logic                                      off_plane_i,
   input  logic [2*PLANE_LOG2-1:0]                   index_i,
   input  logic [gnomon_pkg::DEPTH_FIELD_BITS-1:0]   depth_i,
+  input  logic signed [UV_G-1:0]                    g_u_i, g_v_i,
+  input  logic signed [D_G-1:0]                     g_d_i,
+  input  logic                                      facing_away_i,
+  input  logic signed [UV_SUM-1:0]                  u_sum_i, v_sum_i,
+  input  logic signed [D_SUM-1:0]                   d_sum_i,
   // Read port 0: the voxel's own entry.
   output logic                                      read0_valid_o,
   input  logic                                      read0_ready_i,
@@ -61,30 +58,15 @@ module vpu_resolve #(
   output gnomon_pkg::voxel_result_t                 result_o
 );
 
-  localparam int unsigned UV_G  = gnomon_pkg::uv_gradient_bits(MATRIX_FRAC_BITS, NORMAL_BITS);
-  localparam int unsigned D_G   = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS);
   localparam int unsigned INDEX = 2 * PLANE_LOG2;
   localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
-
-  // ---- Stages 1 to 3: gradient of the normal, beside the projection ----
-  logic signed [UV_G-1:0] g_u, g_v;
-  logic signed [D_G-1:0]  g_d;
-  logic                   facing_away;
-  vpu_gradient #(
-    .POSITION_BITS(POSITION_BITS), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS),
-    .DEPTH_BITS(DEPTH_BITS)
-  ) u_gradient (
-    .clk_i, .en_i, .nx_i, .ny_i, .nz_i, .ux_i, .uy_i, .uz_i, .vx_i, .vy_i, .vz_i, .dx_i, .dy_i, .dz_i,
-    .two_sided_i, .g_u_o(g_u), .g_v_o(g_v), .g_d_o(g_d), .facing_away_o(facing_away)
-  );
 
   // ---- Stages 4 and 5: offset point; the own entry goes along ----
   vpu_offset #(
     .POSITION_BITS(POSITION_BITS), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS),
     .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2)
   ) u_offset (
-    .clk_i, .en_i, .factor_i(offset_factor_i), .facing_shift_i, .tilt_shift_i,
-    .u_acc_i, .v_acc_i, .d_acc_i, .g_u_i(g_u), .g_v_i(g_v), .g_d_i(g_d),
+    .clk_i, .en_i, .facing_shift_i, .tilt_shift_i, .g_u_i, .g_v_i, .g_d_i, .u_sum_i, .v_sum_i, .d_sum_i,
     .off_plane_o(read1_tag_o.off_plane), .index_o(read1_index_o), .depth_o(read1_tag_o.depth),
     .facing_o(read0_tag_o.facing), .tilt_u_o(read1_tag_o.tilt_u), .tilt_v_o(read1_tag_o.tilt_v)
   );
@@ -103,7 +85,7 @@ module vpu_resolve #(
   end
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      facing_away4_q <= facing_away;
+      facing_away4_q <= facing_away_i;
       off_plane4_q   <= off_plane_i;
       index4_q       <= index_i;
       depth4_q       <= depth_i;
