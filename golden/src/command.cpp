@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error rules of docs/command-stream.md.
 #include <gnomon/golden/command.hpp>
+#include <gnomon/golden/frame/codec.hpp>
 #include <gnomon/golden/topology/codec.hpp>
 
 namespace gnomon::golden {
@@ -21,6 +22,12 @@ std::optional<std::uint8_t> known_flags(std::uint8_t op) {
       return std::uint8_t{0};
   }
   return std::nullopt;
+}
+
+/// The two commands whose states a frame buffer can keep.
+bool is_resolve(const Header& header) {
+  return header.op == static_cast<std::uint8_t>(Op::ResolveVoxels) ||
+         header.op == static_cast<std::uint8_t>(topology::TopologyOp::ResolveTopology);
 }
 
 bool bad_argument(const Header& header, const HardwareConfig& config) {
@@ -70,9 +77,34 @@ std::optional<ErrorCode> CommandSequence::topology_error(const Header& header) c
   return bad ? std::optional(ErrorCode::BadArgument) : std::nullopt;
 }
 
+std::optional<ErrorCode> CommandSequence::frame_error(const Header& header) const {
+  const auto op = static_cast<frame::FrameOp>(header.op);
+  if ((header.flags & ~frame::known_flags(op)) != 0) return ErrorCode::ReservedFlag;
+  if (!config_.en_frame_buffer) return ErrorCode::FeatureAbsent;
+  const bool bad = frame::bad_argument(op, header.arg, header.count, config_.frame_config());
+  return bad ? std::optional(ErrorCode::BadArgument) : std::nullopt;
+}
+
+/// Of a resolve command with one of the frame buffer's flags.
+std::optional<ErrorCode> CommandSequence::resolve_error(Header header) const {
+  const bool keep = (header.flags & frame::kKeep) != 0;
+  header.flags &= static_cast<std::uint8_t>(~frame::kResolveFlags);
+  const auto error = error_without_frame(header);
+  if (error == ErrorCode::ReservedFlag || error == ErrorCode::FeatureAbsent) return error;
+  if (!config_.en_frame_buffer) return ErrorCode::FeatureAbsent;
+  if (error) return error;
+  const bool bad = keep && frame::decode_layer(header.arg) >= config_.frame_config().layers();
+  return bad ? std::optional(ErrorCode::BadArgument) : std::nullopt;
+}
+
+std::optional<ErrorCode> CommandSequence::error_without_frame(const Header& header) const {
+  return topology::is_topology_op(header.op) ? topology_error(header) : vpu_error(header, config_);
+}
+
 std::optional<ErrorCode> CommandSequence::next(const Header& header) {
-  if (topology::is_topology_op(header.op)) return topology_error(header);
-  if (!slb::is_slb_op(header.op)) return vpu_error(header, config_);
+  if (frame::is_frame_op(header.op)) return frame_error(header);
+  if (is_resolve(header) && (header.flags & frame::kResolveFlags) != 0) return resolve_error(header);
+  if (!slb::is_slb_op(header.op)) return error_without_frame(header);
   const auto error = slb_error(header);
   if (!error) slb_.advance(static_cast<slb::SlbOp>(header.op), header.flags);
   return error;
@@ -81,6 +113,9 @@ std::optional<ErrorCode> CommandSequence::next(const Header& header) {
 std::uint32_t result_count(const Header& header, std::optional<ErrorCode> error,
                            const HardwareConfig& config) {
   if (error) return 1;
+  if (is_resolve(header) && (header.flags & frame::kQuiet) != 0) return 0;
+  if (frame::is_frame_op(header.op))
+    return frame::result_words(static_cast<frame::FrameOp>(header.op), header.flags, header.count);
   if (slb::is_slb_op(header.op)) {
     return slb::result_words(static_cast<slb::SlbOp>(header.op), header.arg, header.count,
                              config.slb_config());

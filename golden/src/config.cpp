@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The legality rules of docs/vpu.md, docs/vpu-topology.md and docs/slb.md, in the one place where C++ holds
-// them.
+// The legality rules of docs/vpu.md, docs/vpu-topology.md, docs/frame-buffer.md and docs/slb.md, in the one
+// place where C++ holds them.
 #include <gnomon/golden/config.hpp>
 #include <gnomon/golden/slb/codec.hpp>
 #include <tuple>
@@ -20,7 +20,7 @@ std::string out_of_range(const Range& range) {
 
 auto vpu_parameters(const HardwareConfig& c) {
   return std::tie(c.voxel_bits, c.voxel_frac_bits, c.normal_bits, c.matrix_frac_bits, c.depth_bits,
-                  c.plane_log2, c.en_vpu_offset, c.en_vpu_topology, c.en_slb);
+                  c.plane_log2, c.en_vpu_offset, c.en_vpu_topology, c.en_frame_buffer, c.en_slb);
 }
 
 std::optional<std::string> check_slb(const HardwareConfig& config) {
@@ -36,6 +36,7 @@ std::optional<std::string> check_slb(const HardwareConfig& config) {
 bool HardwareConfig::operator==(const HardwareConfig& other) const {
   if (vpu_parameters(*this) != vpu_parameters(other)) return false;
   if (en_vpu_topology && topology_config() != other.topology_config()) return false;
+  if (en_frame_buffer && frame_config() != other.frame_config()) return false;
   return !en_slb || slb_config() == other.slb_config();
 }
 
@@ -50,6 +51,10 @@ topology::TopologyConfig HardwareConfig::topology_config() const {
           .span_log2 = span_log2,
           .nodes_log2 = nodes_log2,
           .quads_log2 = quads_log2};
+}
+
+frame::FrameConfig HardwareConfig::frame_config() const {
+  return {.voxel_bits = voxel_bits, .voxel_frac_bits = voxel_frac_bits, .layers_log2 = frame_layers_log2};
 }
 
 slb::SlbConfig HardwareConfig::slb_config() const {
@@ -86,6 +91,9 @@ std::optional<std::string> HardwareConfig::check() const {
   }
   if (en_vpu_topology) {
     if (auto error = topology_config().check()) return error;
+  }
+  if (en_frame_buffer) {
+    if (auto error = frame_config().check()) return error;
   }
   return en_slb ? check_slb(*this) : std::nullopt;
 }

@@ -2,6 +2,7 @@
 // Words as one line of text, for mismatch reports and logs.
 #include <cstdio>
 #include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/frame/codec.hpp>
 #include <gnomon/golden/slb/sequence.hpp>
 #include <gnomon/golden/topology/codec.hpp>
 
@@ -55,6 +56,8 @@ std::string topology_op_name(topology::TopologyOp op) {
 }
 
 std::string op_name(std::uint8_t op) {
+  if (frame::is_frame_op(op))
+    return op == static_cast<std::uint8_t>(frame::FrameOp::ClearFrame) ? "CLEAR_FRAME" : "LOOKUP_FRAME";
   if (topology::is_topology_op(op)) return topology_op_name(static_cast<topology::TopologyOp>(op));
   if (slb::is_slb_op(op)) return slb_op_name(static_cast<slb::SlbOp>(op));
   switch (static_cast<Op>(op)) {
@@ -157,6 +160,7 @@ std::string describe_result(Word word) {
   const auto code = static_cast<std::uint8_t>(result_code(word));
   if (code == slb::kAnswerCode) return slb::describe_answer(word);
   if (code == slb::kEntryCode) return slb::describe_entry_header(word);
+  if (code == frame::kStatesCode) return frame::describe_states(word);
   if (code == topology::kStateCode || code == topology::kListHeadCode)
     return topology::describe_topology_result(word);
   switch (result_code(word)) {

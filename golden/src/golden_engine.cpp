@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command processor of docs/command-stream.md around the arithmetic of vpu.hpp, topology/unit.hpp and
-// slb/unit.hpp.
+// The command processor of docs/command-stream.md around the arithmetic of vpu.hpp, topology/unit.hpp,
+// frame/unit.hpp and slb/unit.hpp.
 #include <algorithm>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/command.hpp>
+#include <gnomon/golden/frame/unit.hpp>
 #include <gnomon/golden/golden_engine.hpp>
 #include <gnomon/golden/slb/unit.hpp>
 #include <gnomon/golden/topology/unit.hpp>
@@ -35,12 +36,14 @@ struct State {
         plane(static_cast<std::size_t>(config.plane_side()) * static_cast<std::size_t>(config.plane_side())),
         topology(config.en_vpu_topology ? std::make_unique<topology::TopologyUnit>(config.topology_config())
                                         : nullptr),
+        frame(config.en_frame_buffer ? std::make_unique<frame::FrameUnit>(config.frame_config()) : nullptr),
         slb(config.en_slb ? std::make_unique<slb::SlbUnit>(config.slb_config()) : nullptr),
         sequence(config) {}
 
   Vpu vpu;
   Plane plane;
   std::unique_ptr<topology::TopologyUnit> topology;  ///< only with EN_VPU_TOPOLOGY
+  std::unique_ptr<frame::FrameUnit> frame;           ///< only with EN_FRAME_BUFFER
   std::unique_ptr<slb::SlbUnit> slb;                 ///< only with EN_SLB
   CommandSequence sequence;
   Events events;
@@ -72,6 +75,7 @@ class GoldenEngine final : public Engine {
   void begin_slb(const Header& header);
   void begin_topology(const Header& header);
   void give(std::span<const Word> results);
+  void give_states(std::span<const Word> items, std::span<const Word> states);
   void fence(const Header& header);
   void read_entries(const Header& header);
   void set_registers(std::span<const Word> values);
@@ -119,6 +123,9 @@ void GoldenEngine::take_header(Word word) {
   }
   if (slb::is_slb_op(header.op)) return begin_slb(header);
   if (topology::is_topology_op(header.op)) return begin_topology(header);
+  if (frame::is_frame_op(header.op))
+    return state_.frame->begin(static_cast<frame::FrameOp>(header.op), header.flags, header.arg,
+                               header.count);
   switch (static_cast<Op>(header.op)) {
     case Op::ClearPlane:
       state_.plane.clear();
@@ -138,7 +145,12 @@ void GoldenEngine::take_items(std::span<const Word> items) {
   if (state_.ignore_items) return;
   const Header& header = state_.command;
   if (slb::is_slb_op(header.op)) return give(state_.slb->take(items));
-  if (topology::is_topology_op(header.op)) return give(state_.topology->take(items));
+  if (topology::is_topology_op(header.op)) {
+    const std::vector<Word> results = state_.topology->take(items);
+    const bool states = header.op == static_cast<std::uint8_t>(topology::TopologyOp::ResolveTopology);
+    return states ? give_states(items, results) : give(results);
+  }
+  if (frame::is_frame_op(header.op)) return give(state_.frame->take(items));
   switch (static_cast<Op>(header.op)) {
     case Op::SetRegisters:
       set_registers(items);
@@ -166,8 +178,8 @@ void GoldenEngine::begin_topology(const Header& header) {
     registers.matrix[i] = state_.vpu.get(static_cast<Register>(i));
   registers.offset_factor = state_.vpu.get(Register::OffsetFactor);
   state_.topology->set_registers(registers);
-  const topology::TopologyOutcome outcome =
-      state_.topology->begin(header.op, header.flags, header.arg, header.count);
+  const topology::TopologyOutcome outcome = state_.topology->begin(
+      header.op, header.flags & ~frame::kResolveFlags & 0xFF, header.arg, header.count);
   if (outcome.error != topology::TopologyError::None)
     throw std::logic_error("the unit refuses a command judged sound");
   give(outcome.results);
@@ -175,6 +187,13 @@ void GoldenEngine::begin_topology(const Header& header) {
 
 void GoldenEngine::give(std::span<const Word> results) {
   state_.results.insert(state_.results.end(), results.begin(), results.end());
+}
+
+/// Of a resolve command: to the frame buffer, to the results, or both.
+void GoldenEngine::give_states(std::span<const Word> items, std::span<const Word> states) {
+  const Header& header = state_.command;
+  if ((header.flags & frame::kKeep) != 0) state_.frame->keep(frame::decode_layer(header.arg), items, states);
+  if ((header.flags & frame::kQuiet) == 0) give(states);
 }
 
 void GoldenEngine::fence(const Header& header) {
@@ -223,15 +242,18 @@ void GoldenEngine::project(std::span<const Word> items) {
 
 void GoldenEngine::resolve(std::span<const Word> items, bool two_sided) {
   Events& events = state_.events;
+  std::vector<Word> states;
+  states.reserve(items.size());
   for (const Word word : items) {
     const VoxelResult result = resolve(decode_voxel(word, config_), two_sided);
     events.resolved_facing_away += result.facing_away;
     events.resolved_uncertain += result.uncertain;
     events.resolved_offset_empty += result.offset_empty;
     events.resolved_shadow += result.state == VoxelState::Shadow;
-    state_.results.push_back(encode(result));
+    states.push_back(encode(result));
   }
   events.resolved += items.size();
+  give_states(items, states);
 }
 
 VoxelResult GoldenEngine::resolve(const VoxelItem& item, bool two_sided) {
@@ -283,6 +305,9 @@ Counters GoldenEngine::counters() const {
   if (state_.slb) {
     for (const auto& [name, count] : slb::named(state_.slb->model().counters()))
       counters.events[name] = count;
+  }
+  if (state_.frame) {
+    for (const auto& [name, count] : frame::named(state_.frame->counters())) counters.events[name] = count;
   }
   if (state_.topology) {
     for (const auto& [name, count] : topology::named(state_.topology->lists().counters()))

@@ -21,6 +21,10 @@ Word register_word(Register reg, std::int64_t value, const HardwareConfig& confi
                           " bits");
 }
 
+int keep_flags(const std::optional<Keeping>& keep) {
+  return keep ? frame::kKeep | (keep->quiet ? frame::kQuiet : 0) : 0;
+}
+
 }  // namespace
 
 void StreamWriter::set_register(Register reg, std::int64_t value) {
@@ -64,11 +68,13 @@ void StreamWriter::read_plane(std::uint32_t first, std::uint32_t count) {
 }
 
 void StreamWriter::project(std::span<const VoxelItem> items) {
-  voxels(Op::ProjectVoxels, 0, items);
+  voxels(static_cast<std::uint8_t>(Op::ProjectVoxels), 0, 0, items);
 }
 
-void StreamWriter::resolve(std::span<const VoxelItem> items, bool two_sided) {
-  voxels(Op::ResolveVoxels, two_sided ? kResolveTwoSided : 0, items);
+void StreamWriter::resolve(std::span<const VoxelItem> items, bool two_sided, std::optional<Keeping> keep) {
+  const int flags = (two_sided ? kResolveTwoSided : 0) | keep_flags(keep);
+  voxels(static_cast<std::uint8_t>(Op::ResolveVoxels), static_cast<std::uint8_t>(flags),
+         keep ? layer_arg(keep->layer) : 0, items);
 }
 
 std::vector<Word> StreamWriter::take() {
@@ -98,16 +104,14 @@ void StreamWriter::put_quads(std::span<const std::array<VoxelItem, 4>> quads) {
 }
 
 void StreamWriter::resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
-                                    bool sorted) {
-  const std::uint32_t arg = depth_code("clearance", clearance);
-  const int flags = (two_sided ? topology::kTwoSided : 0) | (sorted ? topology::kSorted : 0);
-  while (!items.empty()) {
-    const auto part = items.first(std::min(items.size(), std::size_t{kMaxItems}));
-    topology_header(topology::TopologyOp::ResolveTopology, static_cast<std::uint8_t>(flags), part.size(),
-                    arg);
-    for (const VoxelItem& item : part) words_.push_back(encode(item, config_));
-    items = items.subspan(part.size());
-  }
+                                    bool sorted, std::optional<Keeping> keep) {
+  constexpr auto kOp = topology::TopologyOp::ResolveTopology;
+  const std::uint32_t arg = depth_code("clearance", clearance) | (keep ? layer_arg(keep->layer) : 0);
+  const int flags =
+      (two_sided ? topology::kTwoSided : 0) | (sorted ? topology::kSorted : 0) | keep_flags(keep);
+  // For its exception.
+  if (!config_.en_vpu_topology) topology_header(kOp, static_cast<std::uint8_t>(flags), items.size(), arg);
+  voxels(static_cast<std::uint8_t>(kOp), static_cast<std::uint8_t>(flags), arg, items);
 }
 
 void StreamWriter::read_lists(std::uint32_t first, std::uint32_t count) {
@@ -213,13 +217,32 @@ std::uint32_t StreamWriter::depth_code(const char* name, std::uint32_t depth) co
                           std::to_string(config_.depth_bits) + " bits");
 }
 
-void StreamWriter::voxels(Op op, std::uint8_t flags, std::span<const VoxelItem> items) {
+void StreamWriter::voxels(std::uint8_t op, std::uint8_t flags, std::uint32_t arg,
+                          std::span<const VoxelItem> items) {
   while (!items.empty()) {
     const auto part = items.first(std::min(items.size(), std::size_t{kMaxItems}));
-    header(op, flags, part.size(), 0);
+    words_.push_back(encode(
+        Header{.op = op, .flags = flags, .count = static_cast<std::uint16_t>(part.size()), .arg = arg}));
     for (const VoxelItem& item : part) words_.push_back(encode(item, config_));
     items = items.subspan(part.size());
   }
+}
+
+void StreamWriter::clear_frame() {
+  layer_arg(0);
+  words_.push_back(encode(Header{.op = static_cast<std::uint8_t>(frame::FrameOp::ClearFrame)}));
+}
+
+void StreamWriter::look_up(std::span<const VoxelItem> items, std::uint32_t layer, bool bricks) {
+  voxels(static_cast<std::uint8_t>(frame::FrameOp::LookupFrame), bricks ? frame::kBrick : 0, layer_arg(layer),
+         items);
+}
+
+std::uint32_t StreamWriter::layer_arg(std::uint32_t layer) const {
+  if (!config_.en_frame_buffer) throw std::logic_error("states cannot be kept: EN_FRAME_BUFFER is 0");
+  if (layer < config_.frame_config().layers()) return frame::layer_arg(layer);
+  throw std::out_of_range("layer=" + std::to_string(layer) + " is beyond the frame buffer's " +
+                          std::to_string(config_.frame_config().layers()));
 }
 
 std::optional<Command> CommandReader::next() {

@@ -15,9 +15,10 @@ namespace gnomon::golden {
 namespace {
 
 constexpr std::string_view kMagic = "GNOMON\x1A\n";
-constexpr std::uint32_t kVersion = 3;
-/// Each version holds more of them: the silhouette-line buffer came with version 2, topology mode with 3.
-constexpr std::array<std::size_t, kVersion> kFieldsOfVersion{7, 15, 20};
+constexpr std::uint32_t kVersion = 4;
+/// Each version holds more of them: the silhouette-line buffer came with version 2, topology mode with 3, the
+/// frame buffer with 4.
+constexpr std::array<std::size_t, kVersion> kFieldsOfVersion{7, 15, 20, 22};
 constexpr std::size_t kConfigFields = kFieldsOfVersion.back();
 constexpr std::size_t kRoundingField = 14;
 constexpr std::size_t kConfigOffset = kMagic.size() + 4;
@@ -42,7 +43,8 @@ std::array<int, kConfigFields> config_values(const HardwareConfig& c) {
           c.frac_bits,        c.slope_bits,      c.frags_per_pixel,
           c.subpixel_bits,    c.query_bits,      static_cast<int>(c.slb_rounding),
           c.en_vpu_topology,  c.sub_bits,        c.span_log2,
-          c.nodes_log2,       c.quads_log2};
+          c.nodes_log2,       c.quads_log2,      c.en_frame_buffer,
+          c.frame_layers_log2};
 }
 
 /// Of a file of this version.
@@ -81,6 +83,8 @@ HardwareConfig decode_config(std::string_view bytes, std::uint64_t version) {
   c.span_log2 = v[17];
   c.nodes_log2 = v[18];
   c.quads_log2 = v[19];
+  c.en_frame_buffer = v[20] != 0;
+  c.frame_layers_log2 = v[21];
   return c;
 }
 

@@ -21,6 +21,9 @@ class CommandSequence {
   std::optional<ErrorCode> next(const Header& header);
 
  private:
+  std::optional<ErrorCode> error_without_frame(const Header& header) const;
+  std::optional<ErrorCode> frame_error(const Header& header) const;
+  std::optional<ErrorCode> resolve_error(Header header) const;
   std::optional<ErrorCode> slb_error(const Header& header) const;
   std::optional<ErrorCode> topology_error(const Header& header) const;
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parameters a piece of hardware is built with, and the widths that follow from them (docs/vpu.md,
-// docs/vpu-topology.md, docs/slb.md).
+// docs/vpu-topology.md, docs/slb.md, docs/frame-buffer.md).
 #pragma once
 
+#include <gnomon/golden/frame/config.hpp>
 #include <gnomon/golden/slb/config.hpp>
 #include <gnomon/golden/topology/config.hpp>
 #include <optional>
@@ -27,6 +28,9 @@ struct HardwareConfig {
   int nodes_log2 = 20;  ///< NODES_LOG2, 4..24
   int quads_log2 = 18;  ///< QUADS_LOG2, 4..24
 
+  bool en_frame_buffer = false;  ///< EN_FRAME_BUFFER: states are kept. Without it, the next means nothing
+  int frame_layers_log2 = 0;     ///< FRAME_LAYERS_LOG2, 0..3
+
   bool en_slb = false;      ///< EN_SLB: with the silhouette-line buffer. Without it, the rest means nothing
   int slb_plane_log2 = 8;   ///< SLB_PLANE_LOG2, 3..12; the unit has a plane of its own
   int frac_bits = 7;        ///< FRAC_BITS, 3..8
@@ -46,6 +50,7 @@ struct HardwareConfig {
   int position_bits() const { return voxel_bits + voxel_frac_bits; }  ///< P
   int plane_side() const { return 1 << plane_log2; }                  ///< entries
   topology::TopologyConfig topology_config() const;
+  frame::FrameConfig frame_config() const;
   slb::SlbConfig slb_config() const;  ///< DEPTH_BITS is both units'
 };
 

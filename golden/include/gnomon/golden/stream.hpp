@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/frame/codec.hpp>
 #include <gnomon/golden/slb/sequence.hpp>
 #include <gnomon/golden/topology/codec.hpp>
 #include <optional>
@@ -13,6 +14,12 @@
 #include <vector>
 
 namespace gnomon::golden {
+
+/// What a resolve command does with its states where there is a frame buffer.
+struct Keeping {
+  std::uint32_t layer = 0;
+  bool quiet = true;  ///< no result words
+};
 
 /// Appends sound commands to a stream that starts at reset. Lists of more than kMaxItems items become several
 /// commands.
@@ -32,7 +39,8 @@ class StreamWriter {
   /// Any number of entries, in commands of at most 256. Throws std::out_of_range beyond the plane.
   void read_plane(std::uint32_t first, std::uint32_t count);
   void project(std::span<const VoxelItem> items);
-  void resolve(std::span<const VoxelItem> items, bool two_sided);
+  /// With `keep`, throws as the frame buffer's commands do.
+  void resolve(std::span<const VoxelItem> items, bool two_sided, std::optional<Keeping> keep = std::nullopt);
 
   // Topology mode. All of these throw std::logic_error if the hardware has no such mode, and
   // std::out_of_range if a field does not fit its bits; nothing is written then.
@@ -41,9 +49,15 @@ class StreamWriter {
   void put_quads(std::span<const std::array<VoxelItem, 4>> quads);
   /// `clearance` in depth codes; `sorted`: quads were sent by descending `far`.
   void resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
-                        bool sorted);
+                        bool sorted, std::optional<Keeping> keep = std::nullopt);
   /// Any number of entries, in commands of at most 256.
   void read_lists(std::uint32_t first, std::uint32_t count);
+
+  // The frame buffer. All of these throw std::logic_error if the hardware has none, and std::out_of_range if
+  // it has no such layer; nothing is written then.
+  void clear_frame();
+  /// The states of these voxels; with `bricks`, of the whole bricks that they lie in.
+  void look_up(std::span<const VoxelItem> items, std::uint32_t layer, bool bricks);
 
   // The silhouette-line buffer. All of these throw std::logic_error if the hardware has no such unit or the
   // command may not follow on those before, and std::out_of_range if a field does not fit its bits; nothing
@@ -68,7 +82,8 @@ class StreamWriter {
 
  private:
   void header(Op op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
-  void voxels(Op op, std::uint8_t flags, std::span<const VoxelItem> items);
+  void voxels(std::uint8_t op, std::uint8_t flags, std::uint32_t arg, std::span<const VoxelItem> items);
+  std::uint32_t layer_arg(std::uint32_t layer) const;
   void topology_header(topology::TopologyOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   void slb_header(slb::SlbOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   template <typename Item>
