@@ -8,8 +8,7 @@
 #include <gnomon/golden/stream.hpp>
 
 #include "tests/golden/frame/oracle.hpp"
-#include "tests/support/random.hpp"
-#include "tests/support/scene_registers.hpp"
+#include "tests/support/frame_stream.hpp"
 
 namespace gnomon::test {
 namespace {
@@ -20,78 +19,6 @@ using golden::Keeping;
 using golden::StreamWriter;
 using golden::VoxelItem;
 
-class RandomStream {
- public:
-  RandomStream(const HardwareConfig& config, std::uint64_t seed)
-      : config_(config), random_(seed), writer_(config) {
-    writer_.set_registers(golden::Register::MatrixUx, stimulus::scene_registers(config, random_));
-  }
-
-  std::vector<Word> take(int commands) {
-    for (int i = 0; i < commands; ++i) one();
-    writer_.fence(9, false);
-    return writer_.take();
-  }
-
- private:
-  void one() {
-    const std::vector<VoxelItem> some = items(static_cast<std::size_t>(random_.between(0, 60)));
-    switch (random_.between(0, 9)) {
-      case 0:
-        return random_.chance(30) ? writer_.clear_frame() : writer_.clear_plane();
-      case 1:
-        return writer_.project(some);
-      case 2:
-        return writer_.put_quads(quads());
-      case 3:
-      case 4:
-        return writer_.resolve(some, random_.chance(50), keeping());
-      case 5:
-      case 6:
-        return writer_.resolve_topology(
-            some, random_.chance(50), static_cast<std::uint32_t>(random_.between(0, 3000)), false, keeping());
-      default:
-        return writer_.look_up(some, layer(), random_.chance(30));
-    }
-  }
-
-  std::uint32_t layer() {
-    return static_cast<std::uint32_t>(random_.between(0, (1 << config_.frame_layers_log2) - 1));
-  }
-
-  std::optional<Keeping> keeping() {
-    if (random_.chance(20)) return std::nullopt;
-    return Keeping{layer(), random_.chance(60)};
-  }
-
-  /// Crowded, so that places are written and looked up again.
-  std::vector<VoxelItem> items(std::size_t count) {
-    const std::int64_t last = (std::int64_t{1} << config_.position_bits()) - 1;
-    const std::int64_t reach = random_.chance(70) ? last / 3 : last;
-    const int most = (1 << (config_.normal_bits - 1)) - 1;
-    std::vector<VoxelItem> all(count);
-    for (VoxelItem& item : all)
-      for (std::size_t i = 0; i < 3; ++i) {
-        item.position[i] = static_cast<std::uint32_t>(random_.between(0, reach));
-        item.normal[i] = static_cast<std::int32_t>(random_.between(-most, most));
-      }
-    return all;
-  }
-
-  std::vector<std::array<VoxelItem, 4>> quads() {
-    std::vector<std::array<VoxelItem, 4>> all(static_cast<std::size_t>(random_.between(0, 20)));
-    for (auto& quad : all) {
-      const std::vector<VoxelItem> corners = items(4);
-      std::copy(corners.begin(), corners.end(), quad.begin());
-    }
-    return all;
-  }
-
-  HardwareConfig config_;
-  stimulus::Random random_;
-  StreamWriter writer_;
-};
-
 TEST(FrameEngine, RandomStreamsAgreeWithTheOracle) {
   std::size_t words = 0;
   std::map<std::string, std::uint64_t> seen;
@@ -99,7 +26,7 @@ TEST(FrameEngine, RandomStreamsAgreeWithTheOracle) {
     HardwareConfig config = frame_hardware(seed % 2 == 0 ? 4 : 5);
     config.voxel_frac_bits = static_cast<int>(seed % 3);
     config.frame_layers_log2 = static_cast<int>(seed % 4);
-    const std::vector<Word> stream = RandomStream(config, seed).take(200);
+    const std::vector<Word> stream = stimulus::frame_stream(config, seed, 200);
     const FrameOracle expected = frame_oracle(config, stream);
     const Answer actual = answer(config, stream, seed % 5 == 0 ? 0 : seed);
     ASSERT_EQ(actual.results, expected.results) << "seed " << seed;
@@ -116,7 +43,7 @@ TEST(FrameEngine, RandomStreamsAgreeWithTheOracle) {
 
 TEST(FrameEngine, ResolvingCountsAsEver) {
   const HardwareConfig config = frame_hardware(4);
-  const std::vector<Word> stream = RandomStream(config, 77).take(100);
+  const std::vector<Word> stream = stimulus::frame_stream(config, 77, 100);
   HardwareConfig plain = config;
   plain.en_frame_buffer = false;
   std::vector<Word> without;
