@@ -344,6 +344,7 @@ package gnomon_pkg;
   localparam logic [6:0] COUNTER_STICKY                = 7'd11;
   localparam logic [6:0] COUNTER_SLB                   = 7'd16;  // + number in the order of slb_events_t
   localparam logic [6:0] COUNTER_TOPOLOGY              = 7'd40;  // + number in the order of topology_events_t
+  localparam logic [6:0] COUNTER_PERSPECTIVE           = 7'd55;  // + number in the order of perspective_events_t
   localparam logic [6:0] COUNTER_CYCLES                = 7'd64;  // + 6 * pass + cause
   localparam int unsigned SLB_COUNTER_COUNT = 23;
 

@@ -51,6 +51,13 @@ inline constexpr std::array<std::string_view, 15> kTopologyEventNames{
     "NODES_DROPPED", "TOPOLOGY_RESOLVED", "TOPOLOGY_FACING_AWAY", "TOPOLOGY_OFF_PLANE", "TOPOLOGY_UNCERTAIN",
     "TOPOLOGY_HIT",  "TOPOLOGY_FALLBACK", "TOPOLOGY_SHADOW",      "NODES_VISITED",      "QUADS_TESTED"};
 
+/// Event counters of the perspective projection: index kFirstPerspectiveCounter + number here; 0 in hardware
+/// without. The last four belong to topology mode too.
+inline constexpr std::uint32_t kFirstPerspectiveCounter = 55;
+inline constexpr std::array<std::string_view, 7> kPerspectiveEventNames{
+    "PROJECT_BEHIND",   "RESOLVED_BEHIND", "RESOLVED_OUTSIDE_CONE", "QUADS_BEHIND",
+    "QUADS_STRADDLING", "TOPOLOGY_BEHIND", "TOPOLOGY_OUTSIDE_CONE"};
+
 /// Cycle counters: index kFirstCycleCounter + kCauses * pass + cause.
 inline constexpr std::uint32_t kFirstCycleCounter = 64;
 inline constexpr std::array<std::string_view, 10> kPassNames{"IDLE", "CONTROL", "CLEAR", "PROJECT", "RESOLVE",
