@@ -46,6 +46,10 @@ gnomon_find_header(TomlPlusPlus toml++/toml.h)
 gnomon_find_header(Expected tl/expected.hpp)
 gnomon_find_header(Boost boost/multiprecision/cpp_int.hpp)
 gnomon_find(RapidCheck rapidcheck.h rapidcheck)
+# For tests alone: its licence is the GPL.
+gnomon_find(Unicorn unicorn/unicorn.h unicorn)
+gnomon_find(MuParser muParser.h muparser)
+gnomon_find(Sqlite sqlite3.h sqlite3)
 
 target_link_libraries(gnomon_dep_OpenVDB INTERFACE TBB::tbb gnomon::dep::Imath)
 target_compile_definitions(gnomon_dep_TinyObjLoader INTERFACE TINYOBJLOADER_USE_DOUBLE)
