@@ -71,10 +71,10 @@ void StreamWriter::project(std::span<const VoxelItem> items) {
   voxels(static_cast<std::uint8_t>(Op::ProjectVoxels), 0, 0, items);
 }
 
-void StreamWriter::resolve(std::span<const VoxelItem> items, bool two_sided, std::optional<Keeping> keep) {
-  const int flags = (two_sided ? kResolveTwoSided : 0) | keep_flags(keep);
+void StreamWriter::resolve(std::span<const VoxelItem> items, bool two_sided) {
+  const int flags = (two_sided ? kResolveTwoSided : 0) | keep_flags(keep_);
   voxels(static_cast<std::uint8_t>(Op::ResolveVoxels), static_cast<std::uint8_t>(flags),
-         keep ? layer_arg(keep->layer) : 0, items);
+         keep_ ? frame::layer_arg(keep_->layer) : 0, items);
 }
 
 std::vector<Word> StreamWriter::take() {
@@ -104,11 +104,11 @@ void StreamWriter::put_quads(std::span<const std::array<VoxelItem, 4>> quads) {
 }
 
 void StreamWriter::resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
-                                    bool sorted, std::optional<Keeping> keep) {
+                                    bool sorted) {
   constexpr auto kOp = topology::TopologyOp::ResolveTopology;
-  const std::uint32_t arg = depth_code("clearance", clearance) | (keep ? layer_arg(keep->layer) : 0);
+  const std::uint32_t arg = depth_code("clearance", clearance) | (keep_ ? frame::layer_arg(keep_->layer) : 0);
   const int flags =
-      (two_sided ? topology::kTwoSided : 0) | (sorted ? topology::kSorted : 0) | keep_flags(keep);
+      (two_sided ? topology::kTwoSided : 0) | (sorted ? topology::kSorted : 0) | keep_flags(keep_);
   // For its exception.
   if (!config_.en_vpu_topology) topology_header(kOp, static_cast<std::uint8_t>(flags), items.size(), arg);
   voxels(static_cast<std::uint8_t>(kOp), static_cast<std::uint8_t>(flags), arg, items);
@@ -231,6 +231,11 @@ void StreamWriter::voxels(std::uint8_t op, std::uint8_t flags, std::uint32_t arg
 void StreamWriter::clear_frame() {
   layer_arg(0);
   words_.push_back(encode(Header{.op = static_cast<std::uint8_t>(frame::FrameOp::ClearFrame)}));
+}
+
+void StreamWriter::keep(std::optional<Keeping> keep) {
+  if (keep) layer_arg(keep->layer);
+  keep_ = keep;
 }
 
 void StreamWriter::look_up(std::span<const VoxelItem> items, std::uint32_t layer, bool bricks) {

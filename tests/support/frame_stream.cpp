@@ -69,14 +69,16 @@ class FrameWalk {
   void resolve(std::span<const VoxelItem> some) {
     if (!config_.en_vpu_offset) return;
     const bool two_sided = random_.chance(50);
-    writer_.resolve(some, two_sided, keeping());
+    writer_.keep(keeping());
+    writer_.resolve(some, two_sided);
   }
 
   void resolve_topology(std::span<const VoxelItem> some) {
     if (!config_.en_vpu_topology) return;
     const bool two_sided = random_.chance(50);
     const std::int64_t clearance = random_.between(0, std::int64_t{1} << (config_.depth_bits - 9));
-    writer_.resolve_topology(some, two_sided, static_cast<std::uint32_t>(clearance), false, keeping());
+    writer_.keep(keeping());
+    writer_.resolve_topology(some, two_sided, static_cast<std::uint32_t>(clearance), false);
   }
 
   std::uint32_t any_layer() {

@@ -132,7 +132,8 @@ TEST(FrameEngine, ResetEmptiesIt) {
   const HardwareConfig config = frame_hardware(4);
   const auto engine = golden::make_golden_engine(config);
   StreamWriter writer(config);
-  writer.resolve(std::vector<VoxelItem>(5), false, Keeping{});
+  writer.keep(Keeping{});
+  writer.resolve(std::vector<VoxelItem>(5), false);
   engine->submit(writer.take());
   EXPECT_EQ(engine->counters().events.at("FRAME_KEPT"), 5u);
   engine->reset();

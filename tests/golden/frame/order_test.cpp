@@ -33,7 +33,8 @@ TEST(FrameOrder, TheLastStateOfACommandCounts) {
   for (const bool lit_last : {false, true}) {
     StreamWriter writer = light_from_above();
     const std::vector<VoxelItem> items{lit_last ? kShadow : kLit, kNeighbour, lit_last ? kLit : kShadow};
-    writer.resolve(items, false, Keeping{});
+    writer.keep(Keeping{});
+    writer.resolve(items, false);
     writer.look_up(std::vector<VoxelItem>{kLit, kNeighbour}, 0, false);
     const Answer actual = answer(kHardware, writer.take());
     EXPECT_EQ(actual.results, lit_last ? states({1, 1}) : states({2, 1}));
@@ -45,10 +46,13 @@ TEST(FrameOrder, TheLastCommandCountsInEitherMode) {
   for (const bool lit_last : {false, true}) {
     StreamWriter writer = light_from_above();
     const std::vector<VoxelItem> first{lit_last ? kShadow : kLit}, last{lit_last ? kLit : kShadow};
-    writer.resolve_topology(first, false, 0, false, Keeping{});
-    writer.resolve(last, false, Keeping{});
+    writer.keep(Keeping{});
+    writer.resolve_topology(first, false, 0, false);
+    writer.keep(Keeping{});
+    writer.resolve(last, false);
     writer.look_up(first, 0, false);
-    writer.resolve_topology(first, false, 0, false, Keeping{});
+    writer.keep(Keeping{});
+    writer.resolve_topology(first, false, 0, false);
     writer.look_up(last, 0, false);
     const std::vector<Word> after = lit_last ? states({1}) : states({2}),
                             again = lit_last ? states({2}) : states({1});
@@ -58,8 +62,10 @@ TEST(FrameOrder, TheLastCommandCountsInEitherMode) {
 
 TEST(FrameOrder, LayersDoNotMeetAndAClearTakesAll) {
   StreamWriter writer = light_from_above();
-  writer.resolve(std::vector<VoxelItem>{kLit}, false, Keeping{.layer = 1});
-  writer.resolve(std::vector<VoxelItem>{kShadow}, false, Keeping{.layer = 3});
+  writer.keep(Keeping{.layer = 1});
+  writer.resolve(std::vector<VoxelItem>{kLit}, false);
+  writer.keep(Keeping{.layer = 3});
+  writer.resolve(std::vector<VoxelItem>{kShadow}, false);
   std::vector<Word> expected;
   for (std::uint32_t layer = 0; layer < 4; ++layer) {
     writer.look_up(std::vector<VoxelItem>{kLit}, layer, false);
@@ -92,7 +98,8 @@ TEST(FrameOrder, KeepAloneGivesTheWordsToo) {
   StreamWriter plain = light_from_above(), keeps = light_from_above();
   const std::vector<VoxelItem> items{kLit, kNeighbour, kShadow};
   plain.resolve(items, false);
-  keeps.resolve(items, false, Keeping{.layer = 0, .quiet = false});
+  keeps.keep(Keeping{.layer = 0, .quiet = false});
+  keeps.resolve(items, false);
   EXPECT_EQ(answer(kHardware, keeps.take()).results, answer(kHardware, plain.take()).results);
 }
 

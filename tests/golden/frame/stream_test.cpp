@@ -19,8 +19,10 @@ const std::vector<VoxelItem> kItems(3);
 TEST(FrameStream, HeadersAreThoseOfThePage) {
   StreamWriter writer(frame_hardware(4));
   writer.clear_frame();
-  writer.resolve(kItems, true, Keeping{.layer = 2});
-  writer.resolve_topology(kItems, false, 77, true, Keeping{.layer = 3, .quiet = false});
+  writer.keep(Keeping{.layer = 2});
+  writer.resolve(kItems, true);
+  writer.keep(Keeping{.layer = 3, .quiet = false});
+  writer.resolve_topology(kItems, false, 77, true);
   writer.look_up(kItems, 1, true);
   writer.look_up(kItems, 0, false);
   const std::vector<Word> words = writer.take();
@@ -43,14 +45,14 @@ TEST(FrameStream, LongListsBecomeSeveralCommands) {
 TEST(FrameStream, WhatTheHardwareCannotDoIsNotWritten) {
   StreamWriter writer(frame_hardware(4));
   EXPECT_THROW(writer.look_up(kItems, 4, false), std::out_of_range);
-  EXPECT_THROW(writer.resolve(kItems, false, Keeping{.layer = 4}), std::out_of_range);
-  EXPECT_THROW(writer.resolve_topology(kItems, false, 0, false, Keeping{.layer = 9}), std::out_of_range);
+  EXPECT_THROW(writer.keep(Keeping{.layer = 4}), std::out_of_range);
+  EXPECT_THROW(writer.keep(Keeping{.layer = 9}), std::out_of_range);
   HardwareConfig without = frame_hardware(4);
   without.en_frame_buffer = false;
   StreamWriter plain(without);
   EXPECT_THROW(plain.clear_frame(), std::logic_error);
   EXPECT_THROW(plain.look_up(kItems, 0, false), std::logic_error);
-  EXPECT_THROW(plain.resolve(kItems, false, Keeping{}), std::logic_error);
+  EXPECT_THROW(plain.keep(Keeping{}), std::logic_error);
   EXPECT_TRUE(writer.words().empty());
   EXPECT_TRUE(plain.words().empty());
 }
@@ -58,11 +60,13 @@ TEST(FrameStream, WhatTheHardwareCannotDoIsNotWritten) {
 TEST(FrameStream, OriginsOfResults) {
   const HardwareConfig config = frame_hardware(4);
   StreamWriter writer(config);
-  writer.resolve(kItems, false, Keeping{});                            // 0: no words
-  writer.resolve(kItems, false, Keeping{.layer = 0, .quiet = false});  // 1: words 0..2
-  writer.look_up(std::vector<VoxelItem>(30), 0, false);                // 2: words 3, 4
-  writer.look_up(kItems, 0, true);                                     // 3: words 5..13
-  writer.fence(0, false);                                              // 4: word 14
+  writer.keep(Keeping{});
+  writer.resolve(kItems, false);  // 0: no words
+  writer.keep(Keeping{.layer = 0, .quiet = false});
+  writer.resolve(kItems, false);                         // 1: words 0..2
+  writer.look_up(std::vector<VoxelItem>(30), 0, false);  // 2: words 3, 4
+  writer.look_up(kItems, 0, true);                       // 3: words 5..13
+  writer.fence(0, false);                                // 4: word 14
   const std::vector<Word> words = writer.take();
   const std::vector<std::pair<std::uint32_t, std::uint32_t>> origins{{1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1},
                                                                      {3, 0}, {3, 1}, {3, 2}, {3, 3}, {3, 4},

@@ -39,8 +39,7 @@ class StreamWriter {
   /// Any number of entries, in commands of at most 256. Throws std::out_of_range beyond the plane.
   void read_plane(std::uint32_t first, std::uint32_t count);
   void project(std::span<const VoxelItem> items);
-  /// With `keep`, throws as the frame buffer's commands do.
-  void resolve(std::span<const VoxelItem> items, bool two_sided, std::optional<Keeping> keep = std::nullopt);
+  void resolve(std::span<const VoxelItem> items, bool two_sided);
 
   // Topology mode. All of these throw std::logic_error if the hardware has no such mode, and
   // std::out_of_range if a field does not fit its bits; nothing is written then.
@@ -49,13 +48,15 @@ class StreamWriter {
   void put_quads(std::span<const std::array<VoxelItem, 4>> quads);
   /// `clearance` in depth codes; `sorted`: quads were sent by descending `far`.
   void resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
-                        bool sorted, std::optional<Keeping> keep = std::nullopt);
+                        bool sorted);
   /// Any number of entries, in commands of at most 256.
   void read_lists(std::uint32_t first, std::uint32_t count);
 
   // The frame buffer. All of these throw std::logic_error if the hardware has none, and std::out_of_range if
   // it has no such layer; nothing is written then.
   void clear_frame();
+  /// What the resolve commands written from now on do with their states; nothing: they give result words.
+  void keep(std::optional<Keeping> keep);
   /// The states of these voxels; with `bricks`, of the whole bricks that they lie in.
   void look_up(std::span<const VoxelItem> items, std::uint32_t layer, bool bricks);
 
@@ -92,6 +93,7 @@ class StreamWriter {
 
   HardwareConfig config_;
   std::vector<Word> words_;
+  std::optional<Keeping> keep_;
   slb::SlbSequence slb_;  ///< as the commands written leave it
 };
 
