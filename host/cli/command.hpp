@@ -40,6 +40,7 @@ class Command {
 };
 
 std::unique_ptr<Command> make_doctor_command();
+std::unique_ptr<Command> make_mesh_command();
 std::unique_ptr<Command> make_params_command();
 std::unique_ptr<Command> make_run_command();
 std::unique_ptr<Command> make_slb_command();

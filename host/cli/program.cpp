@@ -24,6 +24,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_run_command());
   commands.push_back(make_verify_command());
   commands.push_back(make_voxelize_command());
+  commands.push_back(make_mesh_command());
   commands.push_back(make_slb_command());
   commands.push_back(make_wave_command());
   commands.push_back(make_params_command());

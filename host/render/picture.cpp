@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/mesh/subpatch_rects.hpp"
 #include "host/metrics/parametric_mesh.hpp"
 #include "host/metrics/progress.hpp"
 #include "host/metrics/ray_scene.hpp"
@@ -67,15 +68,11 @@ struct PictureScene::Impl {
   Impl(std::span<const surface::LimitSurface> s, const voxel::VoxelSet& v)
       : surfaces(s), voxels(v), scene(bounds_of(v).center()) {
     if (voxels.subpatches.empty()) throw std::invalid_argument("a picture needs the voxelizer's subpatches");
-    std::vector<std::vector<metrics::ParamRect>> rects(surfaces.size());
+    std::vector<mesh::SubpatchRects> rects = mesh::subpatch_rects(voxels, surfaces.size());
     objects.resize(surfaces.size());
-    for (std::uint32_t i = 0; i < voxels.subpatches.size(); ++i) {
-      const voxel::Subpatch& p = voxels.subpatches[i];
-      rects.at(p.object).push_back({p.face, p.u0, p.v0, p.u1, p.v1});
-      objects[p.object].subpatches.push_back(i);
-    }
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      objects[i].mesh = metrics::triangulate(surfaces[i], rects[i], bounds_of(v).center(), true);
+      objects[i].mesh = metrics::triangulate(surfaces[i], rects[i].rects, bounds_of(v).center(), true);
+      objects[i].subpatches = std::move(rects[i].subpatches);
       scene.add(objects[i].mesh.points, objects[i].mesh.triangles);
       triangles += objects[i].mesh.triangles.size();
       objects[i].mesh.points = {};
@@ -127,7 +124,7 @@ struct PictureScene::Impl {
   Receiver receiver(const Seen& seen, const metrics::ExactReference& reference) const {
     const surface::LimitSurface& surface = surfaces[seen.object];
     const Vec3 p = surface.position(seen.face, seen.u, seen.v);
-    const double facing = reference.facing(surface.normal(seen.face, seen.u, seen.v), seen.object);
+    const double facing = reference.facing(p, surface.normal(seen.face, seen.u, seen.v), seen.object);
     return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
             static_cast<float>(facing)};
   }

@@ -31,7 +31,7 @@ TEST(Help, EveryCommandHasOneWithAnExample) {
   const Outcome program = run_gnomon({"--help"});
   EXPECT_EQ(program.status, 0);
   EXPECT_EQ(program.err, "");
-  for (const std::string command : {"run", "verify", "voxelize", "slb", "wave", "params", "doctor"}) {
+  for (const std::string command : {"run", "verify", "voxelize", "mesh", "slb", "wave", "params", "doctor"}) {
     SCOPED_TRACE(command);
     EXPECT_THAT(program.out, HasSubstr("\n  " + command + " "));
     const Outcome help = run_gnomon({command, "--help"});
