@@ -52,7 +52,10 @@ Arguments compile_flags() {
           "gnomon_model_print.h",
           "-DVL_PRINTF=gnomon_model_printf"};
 }
-const Arguments kFast{"-O3"};
+/// Of what every cycle runs through.
+Arguments level(const ModelSpec& spec) {
+  return {spec.quick_build ? "-O1" : "-O3"};
+}
 const Arguments kSlow{"-O0"};  // constructors and the like run once
 const Arguments kRuntimeLevel{"-O2"};
 
@@ -142,7 +145,7 @@ bool compile_and_link(const Toolchain& tools, const ModelSpec& spec, const fs::p
   const Arguments compile =
       joined(joined(tools.compiler, compile_flags()), joined(instrumentation, include_flags(tools)));
   Process slow(joined(compile, joined(kSlow, {"-c", "slow.cc", "-o", "slow.o"})), work, work / kLog);
-  Process fast(joined(compile, joined(kFast, {"-c", "fast.cc", "-o", "fast.o"})), work, work / kLog);
+  Process fast(joined(compile, joined(level(spec), {"-c", "fast.cc", "-o", "fast.o"})), work, work / kLog);
   const bool compiled = fast.succeeded();
   if (!slow.succeeded() || !compiled) return false;
   const Arguments link{tools.compiler.back(),
@@ -172,8 +175,8 @@ Artifact ModelCache::artifact(const ModelSpec& spec) const {
   for (const std::string_view source : {kModelSource, kModelAbiSource, kModelPrintSource}) {
     manifest += "driver " + content_hash(source) + "\n";
   }
-  manifest +=
-      "compile " + one_line(joined(joined(joined(compile_flags(), kFast), kSlow), kRuntimeLevel)) + "\n";
+  manifest += "compile " +
+              one_line(joined(joined(joined(compile_flags(), level(spec)), kSlow), kRuntimeLevel)) + "\n";
   manifest += "verilate " + one_line(verilator_arguments(spec)) + "\n";
   return {"model", manifest + rtl_manifest(tools_.rtl_dir), kModel};
 }

@@ -65,6 +65,7 @@ std::string describe(const ModelSpec& spec) {
   if (spec.coverage) text += " (with coverage)";
   if (spec.assertions) text += " (with assertions)";
   if (spec.plain_bit_operations) text += " (with plain bit operations)";
+  if (spec.quick_build) text += " (compiled quickly)";
   return text;
 }
 

@@ -23,6 +23,7 @@ ModelSpec spec_of(const golden::HardwareConfig& config, const RtlOptions& option
           .coverage = options.coverage,
           .assertions = options.assertions,
           .plain_bit_operations = options.plain_bit_operations,
+          .quick_build = options.quick_build,
           .memory_latency = options.memory_latency,
           .memory_stall_seed = options.memory_stall_seed,
           .slb_dividers = options.slb_dividers,

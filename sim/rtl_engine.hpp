@@ -72,6 +72,7 @@ struct RtlOptions {
   bool coverage = false;
   bool assertions = false;
   bool plain_bit_operations = false;
+  bool quick_build = false;  ///< as in ModelSpec
   std::vector<std::string> defines;
 };
 

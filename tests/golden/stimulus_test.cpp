@@ -164,6 +164,20 @@ TEST(Covering, EveryPairOfValuesThatSomeBuildHas) {
   EXPECT_EQ(chosen.front(), HardwareConfig{});
   EXPECT_EQ(chosen[1], HardwareConfig{.en_slb = true});
   for (const HardwareConfig& config : chosen) EXPECT_EQ(config.check(), std::nullopt);
+
+  const auto ordered = stimulus::slb_covering_array();
+  EXPECT_TRUE(std::is_permutation(ordered.begin(), ordered.end(), with_slb.begin(), with_slb.end()));
+  const std::vector<HardwareConfig> half(ordered.begin(), ordered.begin() + 8);
+  EXPECT_GE(pairs(half, slb).size() * 10, pairs(ordered, slb).size() * 7);
+}
+
+TEST(Covering, LargePlanesOfTheSilhouetteLineBuffer) {
+  int plane_log2 = 9;
+  for (const HardwareConfig& config : stimulus::large_slb_configs()) {
+    EXPECT_EQ(config.check(), std::nullopt);
+    EXPECT_EQ(config.slb_plane_log2, ++plane_log2);
+  }
+  EXPECT_EQ(plane_log2, 12);
 }
 
 }  // namespace

@@ -76,6 +76,7 @@ TEST_F(ModelCacheTest, EverythingThatMattersIsPartOfTheKey) {
                                 cache.entry({.coverage = true}),
                                 cache.entry({.assertions = true}),
                                 cache.entry({.plain_bit_operations = true}),
+                                cache.entry({.quick_build = true}),
                                 cache.entry({.defines = {"TINY_HANGS"}})};
   std::ofstream(rtl.path() / "gnomon_top.sv", std::ios::app) << "// changed\n";
   entries.push_back(cache.entry({}));

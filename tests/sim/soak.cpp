@@ -10,6 +10,7 @@
 
 #include "sim/interrupt.hpp"
 #include "sim/shrink.hpp"
+#include "tests/sim/build_soak.hpp"
 #include "tests/sim/cosim.hpp"
 #include "tests/support/covering.hpp"
 #include "tests/support/random.hpp"
@@ -108,8 +109,14 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", options.seconds, "stop after this time, 0 for never")->capture_default_str();
   app.add_option("--failures", options.failures, "folder for streams that fail")
       ->check(CLI::ExistingDirectory);
+  bool builds = false;
+  app.add_flag(
+      "--builds", builds,
+      "instead of seeds, every build of the covering array with the silhouette-line buffer, and planes "
+      "of it up to 2^12");
   CLI11_PARSE(app, argc, argv);
   try {
+    if (builds) return gnomon::sim::test::soak_builds() == 0 ? 0 : 1;
     return gnomon::sim::test::soak(options) == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());

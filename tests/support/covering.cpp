@@ -174,4 +174,33 @@ Configs covering_array() {
   return all;
 }
 
+Configs slb_covering_array() {
+  Configs left = covering_array(), ordered;
+  std::erase_if(left, [](const HardwareConfig& config) { return !config.en_slb; });
+  Missing missing(slb_values, left);
+  while (!left.empty()) {
+    ordered.push_back(missing.best(left));
+    missing.remove(ordered.back());
+    std::erase(left, ordered.back());
+  }
+  return ordered;
+}
+
+Configs large_slb_configs() {
+  const HardwareConfig base{.depth_bits = 18, .plane_log2 = 4, .en_slb = true};
+  HardwareConfig high = base, middle = base, low = base;
+  high.slb_plane_log2 = 10;
+  high.frac_bits = 8;
+  high.slope_bits = 9;
+  high.frags_per_pixel = 4;
+  high.subpixel_bits = high.query_bits = 11;
+  middle.slb_plane_log2 = 11;
+  low.slb_plane_log2 = 12;
+  low.frac_bits = low.slope_bits = 3;
+  low.frags_per_pixel = 1;
+  low.subpixel_bits = low.query_bits = 9;
+  low.slb_rounding = golden::slb::Rounding::Published;
+  return {high, middle, low};
+}
+
 }  // namespace gnomon::stimulus

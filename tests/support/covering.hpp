@@ -13,6 +13,12 @@ namespace gnomon::stimulus {
 /// buffer's plane goes up to 2^9 a side: memory, not logic, is what grows beyond.
 std::vector<golden::HardwareConfig> covering_array();
 
+/// Those with the silhouette-line buffer, ordered so that the first few meet many of its pairs of values.
+std::vector<golden::HardwareConfig> slb_covering_array();
+/// Planes of the silhouette-line buffer of 2^10, 2^11 and 2^12 a side, other parameters low, default and
+/// high.
+std::vector<golden::HardwareConfig> large_slb_configs();
+
 /// Every legal build of the projection unit with the values above, without the silhouette-line buffer.
 std::vector<golden::HardwareConfig> corner_configs();
 /// Every legal silhouette-line buffer with the values above, beside a default projection unit of that depth.

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Co-simulation of builds that are too many to compile in every check.
+#pragma once
+
+namespace gnomon::sim::test {
+
+/// Every build of the covering array with the silhouette-line buffer, and its large planes: directed and
+/// random streams with all ways of holding back the ports, each build with latencies, stalls and dividers of
+/// its own. Prints a line a build. Returns the number of builds that failed or compared too little.
+int soak_builds();
+
+}  // namespace gnomon::sim::test
