@@ -48,8 +48,6 @@ gnomon_find_header(Boost boost/multiprecision/cpp_int.hpp)
 gnomon_find(RapidCheck rapidcheck.h rapidcheck)
 # For tests alone: its licence is the GPL.
 gnomon_find(Unicorn unicorn/unicorn.h unicorn)
-# For tests alone: its licence is the GPL.
-gnomon_find(Unicorn unicorn/unicorn.h unicorn)
 gnomon_find(MuParser muParser.h muparser)
 gnomon_find(Sqlite sqlite3.h sqlite3)
 
