@@ -37,6 +37,7 @@ unsigned answers_in_row(const std::vector<std::uint64_t>& sorted, int x, int y, 
 
 std::vector<std::uint8_t> unambiguous_voxels(const voxel::VoxelSet& voxels,
                                              std::span<const Exact> voxel_answers,
+                                             std::span<const std::uint8_t> receives,
                                              std::span<const SurfaceSample> samples,
                                              std::span<const Vec3> border) {
   std::vector<std::uint64_t> seen(samples.size());
@@ -46,7 +47,7 @@ std::vector<std::uint8_t> unambiguous_voxels(const voxel::VoxelSet& voxels,
   });
   for (std::size_t i = 0; i < voxel_answers.size(); ++i) {
     const voxel::Voxel& v = voxels.voxels[i];
-    seen.push_back(key(v.x, v.y, v.z, in_shadow(voxel_answers[i])));
+    if (receives[v.object] != 0) seen.push_back(key(v.x, v.y, v.z, in_shadow(voxel_answers[i])));
   }
   for (const Vec3& p : border)
     for (const bool dark : {false, true})
@@ -56,6 +57,7 @@ std::vector<std::uint8_t> unambiguous_voxels(const voxel::VoxelSet& voxels,
   std::vector<std::uint8_t> result(voxels.voxels.size());
   tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
     const voxel::Voxel& v = voxels.voxels[i];
+    if (receives[v.object] == 0) return;
     unsigned around = 0;
     for (int dz = -1; dz <= 1; ++dz)
       for (int dy = -1; dy <= 1; ++dy) around |= answers_in_row(seen, v.x, v.y + dy, v.z + dz);

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -26,11 +27,56 @@ Box3 bounds_of(std::span<const surface::LimitSurface> surfaces) {
   return box;
 }
 
-Vec3 unit_towards_light(const DirectionalLight& light) {
-  const double length = light.travel.length();
-  if (!(length > 0) || !(length < std::numeric_limits<double>::infinity()))
-    throw std::invalid_argument("a directional light needs a finite direction that is not zero");
-  return light.travel * (-1.0 / length);
+/// -1 / length of the direction.
+double towards(const Vec3& direction) {
+  const double length = direction.length();
+  if (!(length > 0) || !std::isfinite(length))
+    throw std::invalid_argument("a light needs a finite direction that is not zero");
+  return -1.0 / length;
+}
+
+void check_position(const Vec3& position) {
+  if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
+    throw std::invalid_argument("a light needs a finite position");
+}
+
+/// The way to one light, and whether it gets there; what depends on the light alone is worked out once.
+class Beam {
+ public:
+  explicit Beam(const Light& light) : light_(light) {
+    if (const auto* directional = std::get_if<DirectionalLight>(&light)) {
+      to_light_ = directional->direction * towards(directional->direction);
+      return;
+    }
+    placed_ = true;
+    if (const auto* spot = std::get_if<SpotLight>(&light)) {
+      position_ = spot->position;
+      axis_ = spot->direction * -towards(spot->direction);
+      cosine_ = std::cos(spot->half_angle * std::numbers::pi / 180);
+    } else {
+      position_ = std::get<PointLight>(light).position;
+    }
+    check_position(position_);
+  }
+
+  const Light& light() const { return light_; }
+  Vec3 to_light(const Vec3& p) const { return placed_ ? (position_ - p).normalized() : to_light_; }
+  /// Between here and the light, along to_light().
+  double distance(const Vec3& p) const {
+    return placed_ ? (position_ - p).length() : std::numeric_limits<double>::infinity();
+  }
+  bool reaches(const Vec3& to_light) const { return -axis_.dot(to_light) >= cosine_; }
+
+ private:
+  Light light_;
+  bool placed_ = false;
+  Vec3 to_light_{0, 0, 0}, position_{0, 0, 0};
+  Vec3 axis_{0, 0, 0};
+  double cosine_ = -1;  ///< of a cone that holds everything
+};
+
+bool flag(const std::vector<bool>& flags, std::uint32_t object, bool missing) {
+  return object < flags.size() ? flags[object] : missing;
 }
 
 /// Twice the sag puts the start clear of the tessellation; the rest covers single precision in Embree.
@@ -43,14 +89,15 @@ double start_lift(double sag, const Box3& box) {
 
 /// What all lights share.
 struct ExactReference::Geometry {
-  Geometry(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided_objects,
+  Geometry(std::span<const surface::LimitSurface> surfaces, ReferenceObjects what,
            const TessellationOptions& options)
-      : two_sided(std::move(two_sided_objects)), scene(bounds_of(surfaces).center()) {
+      : objects(std::move(what)), scene(bounds_of(surfaces).center()) {
     const Box3 box = bounds_of(surfaces);
-    const Tessellation cells = tessellate(surfaces, options);
+    const Tessellation cells = tessellate(surfaces, options, objects.casts);
     sag = cells.sag;
     lift = start_lift(sag, box);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if (cells.rects[i].empty()) continue;
       const ParametricMesh mesh = triangulate(surfaces[i], cells.rects[i], box.center());
       triangles += mesh.triangles.size();
       scene.add(mesh.points, mesh.triangles);
@@ -58,45 +105,52 @@ struct ExactReference::Geometry {
     scene.commit();
   }
 
-  std::vector<bool> two_sided;
+  ReferenceObjects objects;
   RayScene scene;
   double sag = 0, lift = 0;
   std::size_t triangles = 0;
 };
 
 struct ExactReference::Impl {
-  Impl(std::shared_ptr<const Geometry> shared, const DirectionalLight& light)
-      : geometry(std::move(shared)), to_light(unit_towards_light(light)) {}
+  Impl(std::shared_ptr<const Geometry> shared, const Beam& of) : geometry(std::move(shared)), beam(of) {}
 
-  double facing(const Vec3& normal, std::uint32_t object) const {
-    const double cosine = normal.dot(to_light);
-    const bool turned = object < geometry->two_sided.size() && geometry->two_sided[object];
-    return turned ? std::abs(cosine) : cosine;
+  /// `cosine` between normal and light, as if both sides were the outside where that is so.
+  double turned(double cosine, std::uint32_t object) const {
+    return flag(geometry->objects.two_sided, object, false) ? std::abs(cosine) : cosine;
   }
 
   Exact classify(const SurfaceQuery& query) {
-    const double cosine = facing(query.normal, query.object);
-    if (!(cosine > kEdgeOn)) return Exact::Attached;
-    const Vec3 normal = query.normal.dot(to_light) < 0 ? -query.normal : query.normal;
+    const Vec3 to_light = beam.to_light(query.point);
+    const double cosine = query.normal.dot(to_light);
+    if (!(turned(cosine, query.object) > kEdgeOn)) return Exact::Attached;
+    if (!beam.reaches(to_light)) return Exact::Outside;
+    if (!flag(geometry->objects.receives, query.object, true)) return Exact::Lit;
     ++rays.local();
-    const Vec3 start = query.point + normal * geometry->lift;
-    return geometry->scene.any_hit(start, to_light) ? Exact::Cast : Exact::Lit;
+    const Vec3 normal = cosine < 0 ? -query.normal : query.normal;
+    return blocked(query.point + normal * geometry->lift) ? Exact::Cast : Exact::Lit;
+  }
+
+  bool blocked(const Vec3& start) const {
+    return geometry->scene.any_hit(start, beam.to_light(start), beam.distance(start));
   }
 
   std::shared_ptr<const Geometry> geometry;
-  Vec3 to_light;
+  Beam beam;
   tbb::enumerable_thread_specific<std::uint64_t> rays{std::uint64_t{0}};
 };
 
-ExactReference::ExactReference(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided,
-                               const DirectionalLight& light, const TessellationOptions& options) {
-  unit_towards_light(light);  // refuse before the long part
-  impl_ = std::make_unique<Impl>(std::make_shared<const Geometry>(surfaces, std::move(two_sided), options),
-                                 light);
+ExactReference::ExactReference(std::span<const surface::LimitSurface> surfaces, ReferenceObjects objects,
+                               const Light& light, const TessellationOptions& options) {
+  const Beam beam(light);  // refuses before the long part
+  impl_ =
+      std::make_unique<Impl>(std::make_shared<const Geometry>(surfaces, std::move(objects), options), beam);
 }
+ExactReference::ExactReference(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided,
+                               const Light& light, const TessellationOptions& options)
+    : ExactReference(surfaces, ReferenceObjects{std::move(two_sided), {}, {}}, light, options) {}
 ExactReference::ExactReference(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-ExactReference ExactReference::relit(const DirectionalLight& light) const {
-  return ExactReference(std::make_unique<Impl>(impl_->geometry, light));
+ExactReference ExactReference::relit(const Light& light) const {
+  return ExactReference(std::make_unique<Impl>(impl_->geometry, Beam(light)));
 }
 ExactReference::ExactReference(ExactReference&&) noexcept = default;
 ExactReference& ExactReference::operator=(ExactReference&&) noexcept = default;
@@ -106,8 +160,8 @@ Exact ExactReference::classify(const SurfaceQuery& query) const {
   return impl_->classify(query);
 }
 
-double ExactReference::facing(const Vec3& normal, std::uint32_t object) const {
-  return impl_->facing(normal, object);
+double ExactReference::facing(const Vec3& point, const Vec3& normal, std::uint32_t object) const {
+  return impl_->turned(normal.dot(impl_->beam.to_light(point)), object);
 }
 
 bool ExactReference::occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const {
@@ -115,7 +169,7 @@ bool ExactReference::occluded(const Vec3& point, const Vec3& normal, std::uint32
 }
 
 bool ExactReference::blocked(const Vec3& point) const {
-  return impl_->geometry->scene.any_hit(point, impl_->to_light);
+  return impl_->blocked(point);
 }
 
 std::vector<Exact> ExactReference::classify(std::span<const SurfaceQuery> queries) const {
@@ -125,8 +179,14 @@ std::vector<Exact> ExactReference::classify(std::span<const SurfaceQuery> querie
   return answers;
 }
 
-Vec3 ExactReference::to_light() const {
-  return impl_->to_light;
+const Light& ExactReference::light() const {
+  return impl_->beam.light();
+}
+Vec3 ExactReference::to_light(const Vec3& point) const {
+  return impl_->beam.to_light(point);
+}
+bool ExactReference::receives(std::uint32_t object) const {
+  return flag(impl_->geometry->objects.receives, object, true);
 }
 double ExactReference::sag() const {
   return impl_->geometry->sag;

@@ -8,22 +8,21 @@
 #include <span>
 #include <vector>
 
+#include "host/base/light.hpp"
 #include "host/base/vec.hpp"
 #include "host/metrics/tessellation.hpp"
 #include "host/surface/limit_surface.hpp"
 
 namespace gnomon::metrics {
 
-/// A light infinitely far away.
-struct DirectionalLight {
-  Vec3 travel{0, 0, -1};  ///< the way the light travels, grid coordinates, any length but zero
-};
+using gnomon::DirectionalLight;
 
 /// The exact answer at a surface point.
 enum class Exact : std::uint8_t {
   Lit,
   Cast,      ///< faces the light, but something is in between
   Attached,  ///< faces away from the light, or is edge-on to it (cosine below 1e-9)
+  Outside,   ///< faces a spot, but lies outside its cone
 };
 constexpr bool in_shadow(Exact answer) {
   return answer != Exact::Lit;
@@ -35,31 +34,42 @@ struct SurfaceQuery {
   std::uint32_t object = 0;
 };
 
-/// Answers shadow queries for one light. Thread-safe.
+/// What the objects are like, by their number. Missing entries are closed, cast and receive.
+struct ReferenceObjects {
+  std::vector<bool> two_sided;  ///< open surfaces: the normal is turned to the light before anything else
+  std::vector<bool> casts;      ///< false: no ray meets it
+  std::vector<bool> receives;   ///< false: lit wherever it faces a light that reaches it
+};
+
+/// Answers shadow queries for one light, in grid coordinates. Thread-safe.
 class ExactReference {
  public:
-  /// `two_sided[object]` marks open surfaces, whose normal is turned to the light before anything else;
-  /// missing entries count as closed. Throws std::invalid_argument for a zero light.
+  /// Throws std::invalid_argument for a light without a finite place or direction.
+  ExactReference(std::span<const surface::LimitSurface> surfaces, ReferenceObjects objects,
+                 const Light& light, const TessellationOptions& options = {});
+  /// Objects that all cast and receive.
   ExactReference(std::span<const surface::LimitSurface> surfaces, std::vector<bool> two_sided,
-                 const DirectionalLight& light, const TessellationOptions& options = {});
+                 const Light& light, const TessellationOptions& options = {});
   /// The same surfaces under another light, without tessellating them again.
-  ExactReference relit(const DirectionalLight& light) const;
+  ExactReference relit(const Light& light) const;
   ExactReference(ExactReference&&) noexcept;
   ExactReference& operator=(ExactReference&&) noexcept;
   ~ExactReference();
 
   Exact classify(const SurfaceQuery& query) const;
-  /// Cosine between the normal and the light; never negative for a two-sided object.
-  double facing(const Vec3& normal, std::uint32_t object) const;
+  /// Cosine between the normal at a point and the way to the light; never negative for a two-sided object.
+  double facing(const Vec3& point, const Vec3& normal, std::uint32_t object) const;
   bool occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const;
   /// Whether anything lies between a point of space and the light.
   bool blocked(const Vec3& point) const;
   /// All queries, on all cores.
   std::vector<Exact> classify(std::span<const SurfaceQuery> queries) const;
 
-  Vec3 to_light() const;  ///< unit vector
-  double sag() const;     ///< voxels
-  double lift() const;    ///< voxels by which a ray starts above the surface
+  const Light& light() const;
+  Vec3 to_light(const Vec3& point) const;  ///< unit vector; zero at the light itself
+  bool receives(std::uint32_t object) const;
+  double sag() const;   ///< voxels
+  double lift() const;  ///< voxels by which a ray starts above the surface
   std::size_t triangles() const;
   std::uint64_t rays() const;  ///< cast so far
 

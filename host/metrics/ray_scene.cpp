@@ -95,11 +95,13 @@ std::optional<RayHit> RayScene::first_hit(const Vec3& origin, const Vec3& direct
   return RayHit{query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v};
 }
 
-bool RayScene::any_hit(const Vec3& origin, const Vec3& direction) const {
+bool RayScene::any_hit(const Vec3& origin, const Vec3& direction, double reach) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay ray{};
   set_ray(ray, origin - impl_->center, direction);
+  // What single precision cannot hold is as good as infinite.
+  if (reach < double{std::numeric_limits<float>::max()}) ray.tfar = static_cast<float>(reach);
   rtcOccluded1(impl_->scene, &context, &ray);
   return ray.tfar < 0;
 }

@@ -34,7 +34,8 @@ class RayScene {
            std::span<const std::array<std::uint32_t, 3>> triangles);
   void commit();
   std::optional<RayHit> first_hit(const Vec3& origin, const Vec3& direction) const;
-  bool any_hit(const Vec3& origin, const Vec3& direction) const;
+  /// `reach` in units of the direction, at least 0; may be infinite.
+  bool any_hit(const Vec3& origin, const Vec3& direction, double reach) const;
 
  private:
   struct Impl;

@@ -79,11 +79,14 @@ std::vector<GridRow> SampleGrids::node_rows() const {
   return rows(faces, 1);
 }
 
-SampleGrids sample_grids(std::span<const surface::LimitSurface> surfaces, double spacing) {
+SampleGrids sample_grids(std::span<const surface::LimitSurface> surfaces, double spacing,
+                         std::span<const std::uint8_t> receives) {
   SampleGrids grids;
-  for (std::uint32_t object = 0; object < surfaces.size(); ++object)
+  for (std::uint32_t object = 0; object < surfaces.size(); ++object) {
+    if (receives[object] == 0) continue;
     for (std::uint32_t face = 0; face < surfaces[object].face_count(); ++face)
       grids.faces.push_back({object, face, 1, 1, 0, 0});
+  }
   tbb::parallel_for(std::size_t{0}, grids.faces.size(),
                     [&](std::size_t i) { choose(surfaces[grids.faces[i].object], grids.faces[i], spacing); });
   for (FaceGrid& grid : grids.faces) {

@@ -48,8 +48,10 @@ struct SampleGrids {
   std::vector<GridRow> node_rows() const;
 };
 
-/// Chooses nu and nv so that neighbouring samples are about `spacing` voxels apart at most.
-SampleGrids sample_grids(std::span<const surface::LimitSurface> surfaces, double spacing);
+/// Chooses nu and nv so that neighbouring samples are about `spacing` voxels apart at most. Objects whose
+/// entry in `receives` is 0 are left out.
+SampleGrids sample_grids(std::span<const surface::LimitSurface> surfaces, double spacing,
+                         std::span<const std::uint8_t> receives);
 
 /// The exact answer at a parameter of a face.
 Exact exact_at(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,

@@ -10,15 +10,12 @@
 #include <numeric>
 
 #include "host/metrics/face_borders.hpp"
+#include "host/metrics/light_scale.hpp"
 
 namespace gnomon::metrics {
 namespace {
 
 constexpr int kBisections = 6;  ///< a crossing is known to 1/64 of a cell's side
-
-double seen_length(const Vec3& step, const Vec3& to_light) {
-  return (step - to_light * step.dot(to_light)).length();
-}
 
 /// What one thread found in one piece of work.
 struct Part {
@@ -46,7 +43,12 @@ class Tracer {
  public:
   Tracer(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
          const SampleGrids& grids, std::span<const Exact> samples)
-      : reference_(reference), surfaces_(surfaces), grids_(grids), samples_(samples), nodes_(grids.nodes) {
+      : reference_(reference),
+        scale_(reference.light()),
+        surfaces_(surfaces),
+        grids_(grids),
+        samples_(samples),
+        nodes_(grids.nodes) {
     const std::vector<GridRow> rows = grids.node_rows();
     tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t r) {
       const FaceGrid& grid = grids_.faces[rows[r].grid];
@@ -122,7 +124,7 @@ class Tracer {
   }
 
   void add_segment(const Crossing& a, const Crossing& b, Part& border) const {
-    const double length = seen_length(b.point - a.point, reference_.to_light());
+    const double length = scale_.length(a.point, b.point);
     border.add(a.shadow_side, 0.5 * length);
     border.add(b.shadow_side, 0.5 * length);
     border.points.push_back(a.point);
@@ -130,6 +132,7 @@ class Tracer {
   }
 
   const ExactReference& reference_;
+  LightScale scale_;
   std::span<const surface::LimitSurface> surfaces_;
   const SampleGrids& grids_;
   std::span<const Exact> samples_;
@@ -141,7 +144,11 @@ class CreaseTracer {
  public:
   CreaseTracer(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
                std::uint32_t object, double spacing)
-      : reference_(reference), surfaces_(surfaces), object_(object), spacing_(spacing) {}
+      : reference_(reference),
+        scale_(reference.light()),
+        surfaces_(surfaces),
+        object_(object),
+        spacing_(spacing) {}
 
   Part group(BorderGroup pieces) const {
     Part border;
@@ -172,7 +179,7 @@ class CreaseTracer {
       const Exact one = answer(a, (k + 0.5) / steps);
       const Exact other = answer(b, (k + 0.5) / steps);
       if (in_shadow(one) != in_shadow(other)) {
-        border.add(in_shadow(one) ? one : other, seen_length(to - from, reference_.to_light()));
+        border.add(in_shadow(one) ? one : other, scale_.length(from, to));
         border.points.push_back((from + to) * 0.5);
       }
       from = to;
@@ -180,6 +187,7 @@ class CreaseTracer {
   }
 
   const ExactReference& reference_;
+  LightScale scale_;
   std::span<const surface::LimitSurface> surfaces_;
   std::uint32_t object_;
   double spacing_;
@@ -207,8 +215,9 @@ ShadowBorder shadow_border(const ExactReference& reference, std::span<const surf
   tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t r) { parts[r] = tracer.row(rows[r]); });
   ShadowBorder border;
   border.length.resize(surfaces.size());
-  for (std::uint32_t object = 0; object < surfaces.size(); ++object)
-    along_creases(reference, surfaces, object, spacing, border);
+  for (std::uint32_t object = 0; object < surfaces.size(); ++object) {
+    if (reference.receives(object)) along_creases(reference, surfaces, object, spacing, border);
+  }
   // Joined in row order, so that the last bits do not depend on the threads.
   for (std::size_t r = 0; r < rows.size(); ++r) join(border, grids.faces[rows[r].grid].object, parts[r]);
   return border;

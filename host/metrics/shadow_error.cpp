@@ -114,6 +114,7 @@ ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxe
   ShadowErrors errors;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const std::uint32_t object = voxels.voxels[i].object;
+    if (truth.receives[object] == 0) continue;
     const bool shadowed = is_shadow(states[i]);
     const bool exact = in_shadow(truth.voxels[i]);
     count(receiver(errors.all_voxels, object, options), shadowed, exact);

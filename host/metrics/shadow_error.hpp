@@ -37,14 +37,14 @@ struct ByReceiver {
   }
 };
 
-/// Wrongly answered surface in the light's projection plane, and the border it lies along. Voxels and
-/// voxels^2.
+/// Wrongly answered surface in the light's projection plane, and the border it lies along, in the units of
+/// LightScale and their squares.
 struct Displacement {
   double area_cast = 0;        ///< wrong where the surface faces the light
   double area_attached = 0;    ///< wrong where it faces away
   double border_cast = 0;      ///< length of the exact cast border
   double border_attached = 0;  ///< length of the exact terminators
-  double pitch = 1;            ///< voxels a plane entry
+  double pitch = 1;            ///< side of a plane entry
   /// Mean boundary displacement, plane entries: all wrong area over all border. 0 where there is no border.
   double entries() const;
   Displacement& operator+=(const Displacement& other);
@@ -57,14 +57,16 @@ struct ShadowErrors {
   ByReceiver<Displacement> displacement;
 };
 
-/// `ground` names the object counted as ground, if there is one. `pitch` is voxels per plane entry.
+/// `ground` names the object counted as ground, if there is one. `pitch` is the side of a plane entry, in the
+/// units of LightScale: voxels for a directional light, else what an entry measures at distance 1.
 struct ErrorOptions {
   std::optional<std::uint32_t> ground;
   double pitch = 1;
 };
 
-/// Compares voxel states; a sample's answer is the state of its voxel. `states` runs as the truth's voxels;
-/// any state other than Lit and Shadow, or a wrong number of states, throws std::invalid_argument.
+/// Compares the voxel states of objects that receive; a sample's answer is the state of its voxel. `states`
+/// runs as the truth's voxels; any state other than Lit and Shadow, or a wrong number of states, throws
+/// std::invalid_argument.
 ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxels,
                            std::span<const golden::VoxelState> states, const ErrorOptions& options);
 

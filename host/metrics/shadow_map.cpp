@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "host/metrics/voxel_index.hpp"
 
@@ -21,6 +22,12 @@ double slope_of(double facing) {
 }
 
 }  // namespace
+
+ShadowMap::ShadowMap(const ExactReference& reference, const LightPlane& plane)
+    : reference_(reference), plane_(plane) {
+  if (!std::holds_alternative<DirectionalLight>(reference.light()))
+    throw std::invalid_argument("a plain shadow map is for a directional light");
+}
 
 bool ShadowMap::in_shadow(const Vec3& point, double facing) const {
   if (!(facing > 0)) return true;

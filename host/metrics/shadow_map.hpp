@@ -17,8 +17,8 @@ namespace gnomon::metrics {
 /// resolution is too high), compared with a slope-scaled bias. Thread-safe. `reference` must outlive it.
 class ShadowMap {
  public:
-  ShadowMap(const ExactReference& reference, const LightPlane& plane)
-      : reference_(reference), plane_(plane) {}
+  /// Throws std::invalid_argument for a light that is not directional.
+  ShadowMap(const ExactReference& reference, const LightPlane& plane);
 
   /// `facing`: cosine between normal and light; a surface that faces away is in shadow. Off the plane: lit.
   bool in_shadow(const Vec3& point, double facing) const;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host/metrics/cell_answers.hpp"
+#include "host/metrics/light_scale.hpp"
 #include "host/metrics/sample_grid.hpp"
 #include "host/metrics/shadow_border.hpp"
 
@@ -20,21 +21,21 @@ class Sampler {
  public:
   Sampler(const ExactReference& reference, std::span<const surface::LimitSurface> surfaces,
           const voxel::VoxelSet& voxels)
-      : reference_(reference), surfaces_(surfaces), index_(voxels) {}
+      : reference_(reference), scale_(reference.light()), surfaces_(surfaces), index_(voxels) {}
 
   SurfaceSample sample(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) const {
     const surface::LimitSurface& surface = surfaces_[grid.object];
     const auto [u, v] = sample_parameter(grid, i, j);
     const surface::SurfacePoint p = surface.evaluate(grid.face, u, v);
     const Vec3 across = p.du.cross(p.dv);
-    const double area = std::abs(across.dot(reference_.to_light())) / (double{1} * grid.nu * grid.nv);
+    const double area = scale_.area(across, p.position) / (double{1} * grid.nu * grid.nv);
     const SurfaceQuery query{p.position, surface.normal(grid.face, u, v), grid.object};
     SurfaceSample sample{};
     sample.x = static_cast<float>(p.position.x);
     sample.y = static_cast<float>(p.position.y);
     sample.z = static_cast<float>(p.position.z);
     sample.light_area = static_cast<float>(area);
-    sample.facing = static_cast<float>(reference_.facing(query.normal, grid.object));
+    sample.facing = static_cast<float>(reference_.facing(query.point, query.normal, grid.object));
     sample.voxel = index_.answering(p.position);
     sample.object = static_cast<std::uint16_t>(grid.object);
     sample.exact = reference_.classify(query);
@@ -43,6 +44,7 @@ class Sampler {
 
  private:
   const ExactReference& reference_;
+  LightScale scale_;
   std::span<const surface::LimitSurface> surfaces_;
   VoxelIndex index_;
 };
@@ -99,14 +101,16 @@ ShadowTruth shadow_truth(const ExactReference& reference, std::span<const surfac
   const std::uint64_t rays_before = reference.rays();
   ShadowTruth truth;
   truth.sag = reference.sag();
-  const SampleGrids grids = sample_grids(surfaces, options.spacing);
+  for (std::uint32_t object = 0; object < surfaces.size(); ++object)
+    truth.receives.push_back(reference.receives(object) ? 1 : 0);
+  const SampleGrids grids = sample_grids(surfaces, options.spacing, truth.receives);
   const Sampler sampler(reference, surfaces, voxels);
   truth.samples = take_samples(sampler, grids, options);
   truth.voxels = voxel_answers(reference, surfaces, voxels);
   std::vector<Exact> answers(truth.samples.size());
   for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = truth.samples[i].exact;
   ShadowBorder border = shadow_border(reference, surfaces, grids, answers, options.spacing);
-  truth.unambiguous = unambiguous_voxels(voxels, truth.voxels, truth.samples, border.points);
+  truth.unambiguous = unambiguous_voxels(voxels, truth.voxels, truth.receives, truth.samples, border.points);
   truth.border = std::move(border.length);
   truth.on_border.resize(truth.samples.size());
   for (const CellRef& at : border.cells) truth.on_border[grids.faces[at.grid].cell(at.i, at.j)] = 1;

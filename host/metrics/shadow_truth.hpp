@@ -24,7 +24,7 @@ struct TruthOptions {
 /// One sample, somewhere in its small rectangle of parameter space.
 struct SurfaceSample {
   float x, y, z;        ///< grid coordinates
-  float light_area;     ///< voxels^2: the rectangle's area projected along the light
+  float light_area;     ///< the rectangle's area as the light sees it (LightScale)
   float facing;         ///< cosine between normal and light, negative where the surface faces away
   std::uint32_t voxel;  ///< the set voxel whose state answers here: its own, else the nearest set neighbour;
                         ///< kNoVoxel if none
@@ -32,9 +32,9 @@ struct SurfaceSample {
   Exact exact;
 };
 
-/// Length of the exact shadow's border, projected along the light, in voxels.
+/// Length of the exact shadow's border as the light sees it (LightScale).
 struct BorderLength {
-  double cast = 0;      ///< between lit surface and shadow cast on it
+  double cast = 0;      ///< between lit surface and shadow cast on it, and along the edge of a spot's cone
   double attached = 0;  ///< terminators: between lit surface and surface that faces away
   double total() const { return cast + attached; }
   friend BorderLength operator+(const BorderLength& a, const BorderLength& b) {
@@ -47,8 +47,9 @@ inline constexpr std::uint32_t kBorderSplit = 8;
 
 struct ShadowTruth {
   std::vector<Exact> voxels;  ///< at each voxel's representative point
-  std::vector<std::uint8_t>
-      unambiguous;  ///< 1 where the voxel's cell and its 26 neighbours hold one answer only
+  /// 1 where the voxel's cell and its 26 neighbours hold one answer only; 0 on objects that do not receive.
+  std::vector<std::uint8_t> unambiguous;
+  std::vector<std::uint8_t> receives;  ///< by object: 0 has no samples and counts in no figure
   std::vector<SurfaceSample> samples;
   /// 1 for the samples whose rectangle the exact border crosses: areas there are measured by border_samples.
   std::vector<std::uint8_t> on_border;

@@ -117,16 +117,18 @@ class FaceTessellator {
 };
 
 Tessellation attempt(std::span<const surface::LimitSurface> surfaces, const TessellationOptions& options,
-                     double sag, std::size_t max_cells) {
+                     const std::vector<bool>& wanted, double sag, std::size_t max_cells) {
   Tessellation result;
   result.sag = sag;
   std::atomic<std::size_t> cells = 0;
-  for (const surface::LimitSurface& surface : surfaces) {
+  for (std::size_t object = 0; object < surfaces.size(); ++object) {
+    const surface::LimitSurface& surface = surfaces[object];
+    std::vector<ParamRect>& rects = result.rects.emplace_back();
+    if (object < wanted.size() && !wanted[object]) continue;
     std::vector<std::vector<ParamRect>> faces(surface.face_count());
     tbb::parallel_for(std::uint32_t{0}, surface.face_count(), [&](std::uint32_t face) {
       faces[face] = FaceTessellator(surface, face, sag, options.longest_side, cells, max_cells).run();
     });
-    std::vector<ParamRect>& rects = result.rects.emplace_back();
     for (const auto& face : faces) rects.insert(rects.end(), face.begin(), face.end());
   }
   result.cells = cells;
@@ -135,14 +137,15 @@ Tessellation attempt(std::span<const surface::LimitSurface> surfaces, const Tess
 
 }  // namespace
 
-Tessellation tessellate(std::span<const surface::LimitSurface> surfaces, const TessellationOptions& options) {
+Tessellation tessellate(std::span<const surface::LimitSurface> surfaces, const TessellationOptions& options,
+                        const std::vector<bool>& wanted) {
   std::size_t faces = 0;
   for (const surface::LimitSurface& surface : surfaces) faces += surface.face_count();
   // Every face is at least one cell; a cage finer than the limit still gets its turn.
   const std::size_t max_cells = std::max(options.max_cells, 2 * faces);
   double sag = options.sag;
   for (;;) {
-    Tessellation result = attempt(surfaces, options, sag, max_cells);
+    Tessellation result = attempt(surfaces, options, wanted, sag, max_cells);
     if (result.cells <= max_cells || sag > options.longest_side) return result;
     sag *= 4;
   }

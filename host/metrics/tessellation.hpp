@@ -23,8 +23,9 @@ struct Tessellation {
   std::size_t cells = 0;
 };
 
-/// Splits every face's parameter space at midpoints until each cell is flat to `sag`. Multithreaded,
-/// deterministic.
-Tessellation tessellate(std::span<const surface::LimitSurface> surfaces, const TessellationOptions& options);
+/// Splits every face's parameter space at midpoints until each cell is flat to `sag`. Objects whose entry in
+/// `wanted` is false get no rectangles; missing entries are wanted. Multithreaded, deterministic.
+Tessellation tessellate(std::span<const surface::LimitSurface> surfaces, const TessellationOptions& options,
+                        const std::vector<bool>& wanted = {});
 
 }  // namespace gnomon::metrics

@@ -23,7 +23,8 @@ class DisplacementTest : public testing::Test {
   ShadowTruth truth(const Vec3& travel, double spacing = 0.05) const {
     TruthOptions options;
     options.spacing = spacing;
-    return shadow_truth(ExactReference(surfaces_, {true, true}, {travel}), surfaces_, voxels_, options);
+    return shadow_truth(ExactReference(surfaces_, {true, true}, DirectionalLight{travel}), surfaces_, voxels_,
+                        options);
   }
 
   /// The technique's answer on the ground; above it, nothing is in shadow.

@@ -33,15 +33,15 @@ std::vector<SurfaceQuery> random_points(const surface::LimitSurface& surface, st
 TEST(ExactReference, AConvexSurfaceCastsNothingOnItself) {
   for (const bool sharp : {false, true}) {
     const auto surfaces = fixtures::surfaces({fixtures::box({10, 20, 30}, {70, 65, 60}, sharp)});
-    const ExactReference dark(surfaces, {false}, {{1, 1, 1}});
+    const ExactReference dark(surfaces, {false}, DirectionalLight{{1, 1, 1}});
     const auto points = random_points(surfaces[0], 20000, 1);
     std::size_t compared = 0;
     std::size_t wrong = 0;
     for (const Vec3& travel : kLights) {
-      const ExactReference reference = dark.relit({travel});
+      const ExactReference reference = dark.relit(DirectionalLight{travel});
       const auto answers = reference.classify(points);
       for (std::size_t i = 0; i < points.size(); ++i, ++compared) {
-        const bool faces = points[i].normal.dot(reference.to_light()) > 1e-9;
+        const bool faces = points[i].normal.dot(reference.to_light({})) > 1e-9;
         if (answers[i] != (faces ? Exact::Lit : Exact::Attached)) ++wrong;
       }
     }
@@ -77,20 +77,20 @@ TEST(ExactReference, ATorusCastsItsKnownShadowOnItself) {
   const Vec3 center(64, 64, 64);
   const auto surfaces = fixtures::surfaces({fixtures::torus(center, 40, 15, 64, 32)});
   const std::vector<SurfaceQuery> points = random_points(surfaces[0], 2000, 2);
-  const ExactReference dark(surfaces, {false}, {{0, 0, 1}});
+  const ExactReference dark(surfaces, {false}, DirectionalLight{{0, 0, 1}});
   std::size_t compared = 0;
   std::size_t cast = 0;
   std::size_t wrong = 0;
   for (const Vec3& travel : {Vec3(1, 0.2, -0.3), Vec3(1, 0, -0.05), Vec3(0.5, -1, -1)}) {
-    const ExactReference reference = dark.relit({travel});
+    const ExactReference reference = dark.relit(DirectionalLight{travel});
     const auto answers = reference.classify(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       ASSERT_LT(std::abs(torus_distance(points[i].point - center, 40, 15)), 0.002);
-      if (points[i].normal.dot(reference.to_light()) <= 0) {
+      if (points[i].normal.dot(reference.to_light({})) <= 0) {
         EXPECT_EQ(answers[i], Exact::Attached);
         continue;
       }
-      const double gap = clearance(points[i].point - center, reference.to_light(), 40, 15);
+      const double gap = clearance(points[i].point - center, reference.to_light({}), 40, 15);
       if (std::abs(gap) < 0.02) continue;  // on the border itself
       ++compared;
       const Exact expected = gap < 0 ? Exact::Cast : Exact::Lit;
@@ -128,10 +128,10 @@ TEST(ExactReference, ABoxShadesTheGroundWhereSlabsSaySo) {
   std::size_t shadowed = 0;
   std::size_t wrong = 0;
   for (const Vec3& travel : {Vec3(0, 0, -1), Vec3(1, 0.5, -1), Vec3(-1, -0.3, -0.2)}) {
-    const ExactReference reference(surfaces, {false, true}, {travel});
+    const ExactReference reference(surfaces, {false, true}, DirectionalLight{travel});
     // The lift moves the border by at most itself in the light's plane, by more where that plane is seen at a
     // slant.
-    const double band = 3 * reference.lift() / reference.to_light().z;
+    const double band = 3 * reference.lift() / reference.to_light({}).z;
     for (SurfaceQuery& q : random_points(surfaces[1], 20000, 3)) {
       q.object = 1;
       const Vec3 start = q.point + Vec3(0, 0, 1e-6);
@@ -141,8 +141,9 @@ TEST(ExactReference, ABoxShadesTheGroundWhereSlabsSaySo) {
       larger.max += Vec3(band, band, band);
       smaller.min += Vec3(band, band, 0);
       smaller.max -= Vec3(band, band, band);
-      const bool expected = meets_box(start, reference.to_light(), body);
-      if (meets_box(start, reference.to_light(), larger) != meets_box(start, reference.to_light(), smaller))
+      const bool expected = meets_box(start, reference.to_light({}), body);
+      if (meets_box(start, reference.to_light({}), larger) !=
+          meets_box(start, reference.to_light({}), smaller))
         continue;
       ++compared;
       shadowed += expected ? 1u : 0u;
@@ -157,7 +158,7 @@ TEST(ExactReference, ABoxShadesTheGroundWhereSlabsSaySo) {
 TEST(ExactReference, TheBandOfTheBoxTestIsNarrowEnoughToSeeAShiftedBox) {
   const auto moved = fixtures::surfaces(
       {fixtures::box({90.2, 100, 20}, {150.2, 140, 75}, true), fixtures::sheet(4, 4, 250, 250, 20, 5, 3)});
-  const ExactReference reference(moved, {false, true}, {{0, 0, -1}});
+  const ExactReference reference(moved, {false, true}, DirectionalLight{{0, 0, -1}});
   std::size_t wrong = 0;
   for (const SurfaceQuery& q : random_points(moved[1], 20000, 3)) {
     const bool expected = meets_box(q.point, {0, 0, 1}, Box3(Vec3(90, 100, 20), Vec3(150, 140, 75)));
@@ -170,17 +171,17 @@ TEST(ExactReference, OpenSurfacesAreLitFromBothSides) {
   const auto surfaces = fixtures::surfaces({fixtures::rectangle(4, 4, 28, 28, 10)});
   const SurfaceQuery middle{{16, 16, 10}, {0, 0, 1}, 0};
   for (const double z : {-1.0, 1.0}) {
-    EXPECT_EQ(ExactReference(surfaces, {true}, {{0.2, 0.1, z}}).classify(middle), Exact::Lit);
-    EXPECT_EQ(ExactReference(surfaces, {false}, {{0.2, 0.1, z}}).classify(middle),
+    EXPECT_EQ(ExactReference(surfaces, {true}, DirectionalLight{{0.2, 0.1, z}}).classify(middle), Exact::Lit);
+    EXPECT_EQ(ExactReference(surfaces, {false}, DirectionalLight{{0.2, 0.1, z}}).classify(middle),
               z < 0 ? Exact::Lit : Exact::Attached);
   }
   // Along the light nothing is lit, on either kind.
-  EXPECT_EQ(ExactReference(surfaces, {true}, {{1, 0, 0}}).classify(middle), Exact::Attached);
+  EXPECT_EQ(ExactReference(surfaces, {true}, DirectionalLight{{1, 0, 0}}).classify(middle), Exact::Attached);
 }
 
 TEST(ExactReference, CountsItsRays) {
   const auto surfaces = fixtures::surfaces({fixtures::box({10, 20, 30}, {70, 65, 60}, false)});
-  const ExactReference reference(surfaces, {false}, {{0, 0, -1}});
+  const ExactReference reference(surfaces, {false}, DirectionalLight{{0, 0, -1}});
   const auto points = random_points(surfaces[0], 1000, 4);
   std::uint64_t facing = 0;
   for (const SurfaceQuery& q : points) facing += q.normal.z > 1e-9 ? 1 : 0;
@@ -190,8 +191,8 @@ TEST(ExactReference, CountsItsRays) {
 
 TEST(ExactReference, RefusesALightWithoutDirection) {
   const auto surfaces = fixtures::surfaces({fixtures::rectangle(4, 4, 28, 28, 10)});
-  EXPECT_THROW(ExactReference(surfaces, {true}, {{0, 0, 0}}), std::invalid_argument);
-  EXPECT_THROW(ExactReference(surfaces, {true}, {{NAN, 0, 0}}), std::invalid_argument);
+  EXPECT_THROW(ExactReference(surfaces, {true}, DirectionalLight{{0, 0, 0}}), std::invalid_argument);
+  EXPECT_THROW(ExactReference(surfaces, {true}, DirectionalLight{{NAN, 0, 0}}), std::invalid_argument);
 }
 
 TEST(ExactReference, HalvingTheEdgesChangesNextToNothing) {

@@ -15,7 +15,8 @@ class ShadowErrorTest : public testing::Test {
       : surfaces_(fixtures::surfaces(
             {fixtures::rectangle(8.3, 8.3, 16.3, 16.3, 20.5), fixtures::sheet(2, 2, 30, 30, 4.5, 4, 4)})),
         voxels_(fixtures::voxels(surfaces_, 32)),
-        truth_(shadow_truth(ExactReference(surfaces_, {true, true}, {{0, 0, -1}}), surfaces_, voxels_)) {
+        truth_(shadow_truth(ExactReference(surfaces_, {true, true}, DirectionalLight{{0, 0, -1}}), surfaces_,
+                            voxels_)) {
     for (const Exact answer : truth_.voxels)
       states_.push_back(in_shadow(answer) ? golden::VoxelState::Shadow : golden::VoxelState::Lit);
   }

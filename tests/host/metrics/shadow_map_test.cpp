@@ -15,7 +15,7 @@ class ShadowMapTest : public testing::Test {
       : surfaces_(fixtures::surfaces({fixtures::prism(23, Vec3(16.2, 15.7, 20), 7.3, 3, true),
                                       fixtures::sheet(2, 2, 30, 30, 4.5, 4, 4)})),
         voxels_(fixtures::voxels(surfaces_, 32)),
-        reference_(surfaces_, {false, true}, {{0, 0, -1}}),
+        reference_(surfaces_, {false, true}, DirectionalLight{{0, 0, -1}}),
         truth_(shadow_truth(reference_, surfaces_, voxels_)) {}
 
   /// Pixels of `pitch` voxels that run with no side along the shapes.
@@ -63,7 +63,7 @@ TEST_F(ShadowMapTest, NothingOffThePlaneIsInShadowAndEverythingThatFacesAwayIs) 
 TEST_F(ShadowMapTest, AFlatReceiverNeverShadowsItself) {
   const auto ground = fixtures::surfaces({fixtures::sheet(2, 2, 30, 30, 4.5, 4, 4)});
   const Vec3 travel = Vec3(1, 0.3, -0.3).normalized();
-  const ExactReference alone(ground, {true}, {travel});
+  const ExactReference alone(ground, {true}, DirectionalLight{travel});
   const Vec3 right = travel.cross(Vec3(0, 0, 1)).normalized();
   const ShadowMap map(alone, {{right, right.cross(travel), travel}, 64, 64, 1.3, 128});
   for (int i = 0; i < 1000; ++i)

@@ -22,7 +22,8 @@ struct SheetOverGround {
   ShadowTruth truth(const Vec3& travel, double spacing = 0.5) const {
     TruthOptions options;
     options.spacing = spacing;
-    return shadow_truth(ExactReference(surfaces, {true, true}, {travel}), surfaces, voxels, options);
+    return shadow_truth(ExactReference(surfaces, {true, true}, DirectionalLight{travel}), surfaces, voxels,
+                        options);
   }
 };
 
@@ -77,13 +78,15 @@ TEST(ShadowTruth, MeasuresTheBorderInTheLightsPlane) {
 TEST(ShadowTruth, FindsTheTerminatorOnCreasesAndOnSmoothSurfaces) {
   const auto sharp = fixtures::surfaces({fixtures::box({8, 6, 10}, {24, 26, 22}, true)});
   const auto box_voxels = fixtures::voxels(sharp, 32);
-  const ShadowTruth box = shadow_truth(ExactReference(sharp, {false}, {{0, 0, -1}}), sharp, box_voxels);
+  const ShadowTruth box =
+      shadow_truth(ExactReference(sharp, {false}, DirectionalLight{{0, 0, -1}}), sharp, box_voxels);
   EXPECT_NEAR(box.border[0].attached, 2 * (16 + 20), 1e-6);
   EXPECT_EQ(box.border[0].cast, 0);
 
   const auto round = fixtures::surfaces({fixtures::torus({32, 32, 32}, 18, 8, 32, 16)});
   const auto round_voxels = fixtures::voxels(round, 64);
-  const ShadowTruth torus = shadow_truth(ExactReference(round, {false}, {{0, 0, -1}}), round, round_voxels);
+  const ShadowTruth torus =
+      shadow_truth(ExactReference(round, {false}, DirectionalLight{{0, 0, -1}}), round, round_voxels);
   const double pi = std::acos(-1);
   EXPECT_NEAR(torus.border[0].attached, 2 * pi * (26 + 10), 0.5);
   EXPECT_NEAR(torus.border[0].cast, 0, 0.1);
@@ -95,7 +98,8 @@ TEST(ShadowTruth, DoesNotDependOnTheNumberOfThreads) {
   const auto voxels = fixtures::voxels(surfaces, 32);
   const auto run = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return shadow_truth(ExactReference(surfaces, {false, true}, {{0.3, 0.2, -1}}), surfaces, voxels);
+    return shadow_truth(ExactReference(surfaces, {false, true}, DirectionalLight{{0.3, 0.2, -1}}), surfaces,
+                        voxels);
   };
   const ShadowTruth one = run(1);
   const ShadowTruth more = run(4);
@@ -115,7 +119,7 @@ TEST(ShadowTruth, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(ShadowTruth, ReportsProgressAndCanBeCancelled) {
   const SheetOverGround scene;
-  const ExactReference reference(scene.surfaces, {true, true}, {{0, 0, -1}});
+  const ExactReference reference(scene.surfaces, {true, true}, DirectionalLight{{0, 0, -1}});
   double last = 0;
   TruthOptions options;
   options.progress = [&](double done) {
