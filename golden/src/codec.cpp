@@ -68,17 +68,21 @@ ResultCode result_code(Word word) {
 Word encode(const VoxelResult& result) {
   return code(ResultCode::VoxelState) | field(static_cast<std::uint64_t>(result.state), 54, 2) |
          field(result.facing_away, 53, 1) | field(result.off_plane, 52, 1) | field(result.uncertain, 51, 1) |
-         field(result.offset_empty, 50, 1) | field(result.beyond_max, 49, 1) | field(result.nearest, 24, 24) |
+         field(result.offset_empty, 50, 1) | field(result.beyond_max || result.behind, 49, 1) |
+         field(result.outside_cone || result.behind, 48, 1) | field(result.nearest, 24, 24) |
          field(result.delta, 0, 24);
 }
 
 VoxelResult decode_voxel_result(Word word) {
+  const bool unreached = get_bit(word, 48), why = get_bit(word, 49);
   return {.state = static_cast<VoxelState>(get(word, 54, 2)),
           .facing_away = get_bit(word, 53),
           .off_plane = get_bit(word, 52),
           .uncertain = get_bit(word, 51),
           .offset_empty = get_bit(word, 50),
-          .beyond_max = get_bit(word, 49),
+          .beyond_max = !unreached && why,
+          .outside_cone = unreached && !why,
+          .behind = unreached && why,
           .nearest = get32(word, 24, 24),
           .delta = get32(word, 0, 24)};
 }

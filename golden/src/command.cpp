@@ -52,8 +52,10 @@ std::optional<ErrorCode> vpu_error(const Header& header, const HardwareConfig& c
   if ((header.flags & ~*flags) != 0) return ErrorCode::ReservedFlag;
   const Op op = static_cast<Op>(header.op);
   if (op == Op::ResolveVoxels && !config.en_vpu_offset) return ErrorCode::FeatureAbsent;
-  const std::uint64_t register_end = std::uint64_t{header.arg} + header.count;
-  if (op == Op::SetRegisters && register_end > kRegisterCount) return ErrorCode::BadRegister;
+  const std::int64_t register_end = std::int64_t{header.arg} + header.count;
+  if (op == Op::SetRegisters && register_end > register_count(config)) {
+    return register_end > kAllRegisterCount ? ErrorCode::BadRegister : ErrorCode::FeatureAbsent;
+  }
   if (bad_argument(header, config)) return ErrorCode::BadArgument;
   return std::nullopt;
 }

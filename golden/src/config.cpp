@@ -20,7 +20,8 @@ std::string out_of_range(const Range& range) {
 
 auto vpu_parameters(const HardwareConfig& c) {
   return std::tie(c.voxel_bits, c.voxel_frac_bits, c.normal_bits, c.matrix_frac_bits, c.depth_bits,
-                  c.plane_log2, c.en_vpu_offset, c.en_vpu_topology, c.en_frame_buffer, c.en_slb);
+                  c.plane_log2, c.en_vpu_offset, c.en_perspective, c.en_vpu_topology, c.en_frame_buffer,
+                  c.en_slb);
 }
 
 std::optional<std::string> check_slb(const HardwareConfig& config) {

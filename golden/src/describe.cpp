@@ -121,13 +121,14 @@ std::string sticky_text(std::uint32_t sticky) {
   add(kStickyDepthSaturated, "DEPTH_SATURATED");
   add(topology::kStickyListOverflow, "LIST_OVERFLOW");
   add(topology::kStickyQuadOffPlane, "QUAD_OFF_PLANE");
+  add(kStickyBehindLight, "BEHIND_LIGHT");
   add(slb::kStickyLineOverflow, "LINE_OVERFLOW");
   add(slb::kStickyObjectOverflow, "OBJECT_OVERFLOW");
   add(slb::kStickyWindingSaturated, "WINDING_SATURATED");
   constexpr std::uint32_t kKnown = kStickyErrorSeen | kStickyOffPlane | kStickyDepthSaturated |
                                    topology::kStickyListOverflow | topology::kStickyQuadOffPlane |
-                                   slb::kStickyLineOverflow | slb::kStickyObjectOverflow |
-                                   slb::kStickyWindingSaturated;
+                                   kStickyBehindLight | slb::kStickyLineOverflow |
+                                   slb::kStickyObjectOverflow | slb::kStickyWindingSaturated;
   const std::uint32_t unknown = sticky & ~kKnown;
   if (unknown != 0) add(unknown, hex(unknown, 6).c_str());
   return names.empty() ? "none" : names;
@@ -140,6 +141,8 @@ std::string voxel_text(const VoxelResult& result) {
   if (result.uncertain) text += " uncertain";
   if (result.offset_empty) text += " offset_empty";
   if (result.beyond_max) text += " beyond_max";
+  if (result.outside_cone) text += " outside_cone";
+  if (result.behind) text += " behind";
   return text + " nearest=" + depth_text(result.nearest) + " delta=" + std::to_string(result.delta);
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "plane.hpp"
+#include "resolve.hpp"
 
 namespace gnomon::golden {
 namespace {
@@ -27,6 +28,8 @@ struct Events {
   std::uint64_t projected = 0, project_off_plane = 0, project_saturated = 0, plane_writes = 0;
   std::uint64_t resolved = 0, resolved_facing_away = 0, resolved_uncertain = 0, resolved_offset_empty = 0,
                 resolved_shadow = 0;
+  // With EN_PERSPECTIVE.
+  std::uint64_t project_behind = 0, resolved_behind = 0, resolved_outside_cone = 0;
 };
 
 /// Everything that a reset brings back to its first value.
@@ -81,7 +84,6 @@ class GoldenEngine final : public Engine {
   void set_registers(std::span<const Word> values);
   void project(std::span<const Word> items);
   void resolve(std::span<const Word> items, bool two_sided);
-  VoxelResult resolve(const VoxelItem& item, bool two_sided);
 
   HardwareConfig config_;
   State state_;
@@ -177,6 +179,7 @@ void GoldenEngine::begin_topology(const Header& header) {
   for (std::size_t i = 0; i < registers.matrix.size(); ++i)
     registers.matrix[i] = state_.vpu.get(static_cast<Register>(i));
   registers.offset_factor = state_.vpu.get(Register::OffsetFactor);
+  registers.perspective = state_.vpu.light().registers();
   state_.topology->set_registers(registers);
   const topology::TopologyOutcome outcome = state_.topology->begin(
       header.op, header.flags & ~frame::kResolveFlags & 0xFF, header.arg, header.count);
@@ -223,15 +226,28 @@ void GoldenEngine::set_registers(std::span<const Word> values) {
 
 void GoldenEngine::project(std::span<const Word> items) {
   std::uint64_t off_plane = 0, saturated = 0, writes = 0;
-  for (const Word word : items) {
-    const PlanePoint point = state_.vpu.land(state_.vpu.accumulate(decode_voxel(word, config_)));
+  const auto keep = [&](const PlanePoint& point) {
     if (!point.on_plane) {
       ++off_plane;
-      continue;
+      return;
     }
     saturated += point.saturated;
     writes += state_.plane.keep_nearest(state_.vpu.index(point), point.depth);
+  };
+  std::uint64_t behind = 0;
+  if (state_.vpu.in_perspective()) {
+    for (const Word word : items) {
+      const perspective::Sight sight = state_.vpu.see(decode_voxel(word, config_));
+      if (sight.behind)
+        ++behind;
+      else
+        keep(state_.vpu.land(sight));
+    }
+  } else {
+    for (const Word word : items) keep(state_.vpu.land(state_.vpu.accumulate(decode_voxel(word, config_))));
   }
+  if (behind != 0) state_.sticky |= kStickyBehindLight;
+  state_.events.project_behind += behind;
   if (off_plane != 0) state_.sticky |= kStickyOffPlane;
   if (saturated != 0) state_.sticky |= kStickyDepthSaturated;
   state_.events.projected += items.size();
@@ -242,10 +258,16 @@ void GoldenEngine::project(std::span<const Word> items) {
 
 void GoldenEngine::resolve(std::span<const Word> items, bool two_sided) {
   Events& events = state_.events;
+  const bool in_perspective = state_.vpu.in_perspective();
   std::vector<Word> states;
   states.reserve(items.size());
   for (const Word word : items) {
-    const VoxelResult result = resolve(decode_voxel(word, config_), two_sided);
+    const VoxelItem item = decode_voxel(word, config_);
+    const VoxelResult result = in_perspective
+                                   ? resolve_perspective(state_.vpu, state_.plane, item, two_sided)
+                                   : resolve_orthographic(state_.vpu, state_.plane, item, two_sided);
+    events.resolved_behind += result.behind;
+    events.resolved_outside_cone += result.outside_cone;
     events.resolved_facing_away += result.facing_away;
     events.resolved_uncertain += result.uncertain;
     events.resolved_offset_empty += result.offset_empty;
@@ -254,38 +276,6 @@ void GoldenEngine::resolve(std::span<const Word> items, bool two_sided) {
   }
   events.resolved += items.size();
   give_states(items, states);
-}
-
-VoxelResult GoldenEngine::resolve(const VoxelItem& item, bool two_sided) {
-  const Vpu& vpu = state_.vpu;
-  const Plane& plane = state_.plane;
-  const Accumulators acc = vpu.accumulate(item);
-  const PlanePoint own = vpu.land(acc);
-  Gradient gradient = vpu.gradient(item);
-  if (two_sided && gradient.d > 0) gradient = {.u = -gradient.u, .v = -gradient.v, .d = -gradient.d};
-
-  VoxelResult result;
-  result.off_plane = !own.on_plane;
-  result.facing_away = gradient.d >= 0;
-  if (result.facing_away) {
-    result.state = VoxelState::Shadow;
-    return result;
-  }
-  if (!own.on_plane || !plane.present(vpu.index(own))) return result;
-  result.nearest = plane.depth(vpu.index(own));
-  result.uncertain = result.nearest < own.depth;
-  if (!result.uncertain) return result;
-
-  const PlanePoint moved = vpu.land_offset(acc, gradient);
-  result.offset_empty = !moved.on_plane || !plane.present(vpu.index(moved));
-  if (result.offset_empty) return result;
-  const std::uint32_t nearest = plane.depth(vpu.index(moved));
-  if (moved.depth <= nearest) return result;
-  result.delta = moved.depth - nearest;
-  result.beyond_max = result.delta > vpu.get(Register::DeltaMax);
-  const bool shadow = result.beyond_max || vpu.exceeds_margin(result.delta, gradient);
-  result.state = shadow ? VoxelState::Shadow : VoxelState::Lit;
-  return result;
 }
 
 Counters GoldenEngine::counters() const {
@@ -302,6 +292,11 @@ Counters GoldenEngine::counters() const {
                                {"RESOLVED_OFFSET_EMPTY", events.resolved_offset_empty},
                                {"RESOLVED_SHADOW", events.resolved_shadow}},
                     .cycles = {}};
+  if (config_.en_perspective) {
+    counters.events["PROJECT_BEHIND"] = events.project_behind;
+    counters.events["RESOLVED_BEHIND"] = events.resolved_behind;
+    counters.events["RESOLVED_OUTSIDE_CONE"] = events.resolved_outside_cone;
+  }
   if (state_.slb) {
     for (const auto& [name, count] : slb::named(state_.slb->model().counters()))
       counters.events[name] = count;
@@ -310,7 +305,8 @@ Counters GoldenEngine::counters() const {
     for (const auto& [name, count] : frame::named(state_.frame->counters())) counters.events[name] = count;
   }
   if (state_.topology) {
-    for (const auto& [name, count] : topology::named(state_.topology->lists().counters()))
+    for (const auto& [name, count] :
+         topology::named(state_.topology->lists().counters(), config_.en_perspective))
       counters.events[name] = count;
   }
   return counters;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gnomon/golden/command.hpp>
 #include <gnomon/golden/narrow.hpp>
+#include <gnomon/golden/perspective/view.hpp>
 #include <gnomon/golden/stream.hpp>
 #include <stdexcept>
 #include <string>
@@ -33,15 +34,19 @@ void StreamWriter::set_register(Register reg, std::int64_t value) {
 
 void StreamWriter::set_registers(Register first, std::span<const std::int64_t> values) {
   const auto start = static_cast<std::size_t>(first);
-  if (start + values.size() > kRegisterCount) {
+  const auto registers = static_cast<std::size_t>(register_count(config_));
+  if (start + values.size() > registers) {
     throw std::out_of_range("register " + std::to_string(start) + " + " + std::to_string(values.size()) +
-                            " values is beyond the last register " + std::to_string(kRegisterCount - 1));
+                            " values is beyond the last register " + std::to_string(registers - 1));
   }
   std::vector<Word> encoded;
   for (std::size_t i = 0; i < values.size(); ++i) {
     encoded.push_back(register_word(static_cast<Register>(start + i), values[i], config_));
   }
   header(Op::SetRegisters, 0, values.size(), static_cast<std::uint32_t>(start));
+  const auto projection = static_cast<std::size_t>(Register::Projection);
+  if (start <= projection && projection < start + values.size())
+    in_perspective_ = (values[projection - start] & kProjectionPerspective) != 0;
   words_.insert(words_.end(), encoded.begin(), encoded.end());
 }
 
@@ -106,7 +111,7 @@ void StreamWriter::put_quads(std::span<const std::array<VoxelItem, 4>> quads) {
 void StreamWriter::resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
                                     bool sorted) {
   constexpr auto kOp = topology::TopologyOp::ResolveTopology;
-  const std::uint32_t arg = depth_code("clearance", clearance) | (keep_ ? frame::layer_arg(keep_->layer) : 0);
+  const std::uint32_t arg = clearance_arg(clearance) | (keep_ ? frame::layer_arg(keep_->layer) : 0);
   const int flags =
       (two_sided ? topology::kTwoSided : 0) | (sorted ? topology::kSorted : 0) | keep_flags(keep_);
   // For its exception.
@@ -215,6 +220,13 @@ std::uint32_t StreamWriter::depth_code(const char* name, std::uint32_t depth) co
   if (depth <= config_.slb_config().no_depth()) return depth;
   throw std::out_of_range(std::string(name) + "=" + std::to_string(depth) + " does not fit " +
                           std::to_string(config_.depth_bits) + " bits");
+}
+
+std::uint32_t StreamWriter::clearance_arg(std::uint32_t clearance) const {
+  if (!in_perspective_) return depth_code("clearance", clearance);
+  if (clearance >> perspective::kClearanceBits == 0) return clearance;
+  throw std::out_of_range("clearance=" + std::to_string(clearance) + " does not fit " +
+                          std::to_string(perspective::kClearanceBits) + " bits");
 }
 
 void StreamWriter::voxels(std::uint8_t op, std::uint8_t flags, std::uint32_t arg,

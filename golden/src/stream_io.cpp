@@ -15,10 +15,10 @@ namespace gnomon::golden {
 namespace {
 
 constexpr std::string_view kMagic = "GNOMON\x1A\n";
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 /// Each version holds more of them: the silhouette-line buffer came with version 2, topology mode with 3, the
-/// frame buffer with 4.
-constexpr std::array<std::size_t, kVersion> kFieldsOfVersion{7, 15, 20, 22};
+/// frame buffer with 4, the perspective projection with 5.
+constexpr std::array<std::size_t, kVersion> kFieldsOfVersion{7, 15, 20, 22, 23};
 constexpr std::size_t kConfigFields = kFieldsOfVersion.back();
 constexpr std::size_t kRoundingField = 14;
 constexpr std::size_t kConfigOffset = kMagic.size() + 4;
@@ -37,14 +37,14 @@ std::uint64_t get(std::string_view bytes, std::size_t at, std::size_t count) {
 }
 
 std::array<int, kConfigFields> config_values(const HardwareConfig& c) {
-  return {c.voxel_bits,       c.voxel_frac_bits, c.normal_bits,
-          c.matrix_frac_bits, c.depth_bits,      c.plane_log2,
-          c.en_vpu_offset,    c.en_slb,          c.slb_plane_log2,
-          c.frac_bits,        c.slope_bits,      c.frags_per_pixel,
-          c.subpixel_bits,    c.query_bits,      static_cast<int>(c.slb_rounding),
-          c.en_vpu_topology,  c.sub_bits,        c.span_log2,
-          c.nodes_log2,       c.quads_log2,      c.en_frame_buffer,
-          c.frame_layers_log2};
+  return {c.voxel_bits,        c.voxel_frac_bits, c.normal_bits,
+          c.matrix_frac_bits,  c.depth_bits,      c.plane_log2,
+          c.en_vpu_offset,     c.en_slb,          c.slb_plane_log2,
+          c.frac_bits,         c.slope_bits,      c.frags_per_pixel,
+          c.subpixel_bits,     c.query_bits,      static_cast<int>(c.slb_rounding),
+          c.en_vpu_topology,   c.sub_bits,        c.span_log2,
+          c.nodes_log2,        c.quads_log2,      c.en_frame_buffer,
+          c.frame_layers_log2, c.en_perspective};
 }
 
 /// Of a file of this version.
@@ -85,6 +85,7 @@ HardwareConfig decode_config(std::string_view bytes, std::uint64_t version) {
   c.quads_log2 = v[19];
   c.en_frame_buffer = v[20] != 0;
   c.frame_layers_log2 = v[21];
+  c.en_perspective = v[22] != 0;
   return c;
 }
 

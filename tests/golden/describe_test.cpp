@@ -48,8 +48,8 @@ TEST(Describe, OtherResults) {
   EXPECT_EQ(describe_result(encode(FenceResult{.sticky = 0, .tag = 5})), "FENCE tag=5 sticky=none");
   EXPECT_EQ(describe_result(encode(FenceResult{.sticky = 7, .tag = 5})),
             "FENCE tag=5 sticky=ERROR_SEEN|OFF_PLANE|DEPTH_SATURATED");
-  EXPECT_EQ(describe_result(encode(FenceResult{.sticky = 0x21, .tag = 5})),
-            "FENCE tag=5 sticky=ERROR_SEEN|0x000020");
+  EXPECT_EQ(describe_result(encode(FenceResult{.sticky = 0x61, .tag = 5})),
+            "FENCE tag=5 sticky=ERROR_SEEN|BEHIND_LIGHT|0x000040");
   EXPECT_EQ(describe_result(encode(PlaneEntryResult{12, true, 77})), "PLANE_ENTRY index=12 depth=77");
   EXPECT_EQ(describe_result(encode(PlaneEntryResult{12, false, 0})), "PLANE_ENTRY index=12 empty");
   EXPECT_EQ(describe_result(encode(PlaneEntryResult{12, false, 9})), "PLANE_ENTRY index=12 empty depth=9");

@@ -50,11 +50,8 @@ std::vector<PageRow> page_rows() {
 }
 
 std::map<char, int> symbols(const HardwareConfig& c) {
-  return {{'P', c.position_bits()},
-          {'B', c.voxel_frac_bits},
-          {'N', c.normal_bits},
-          {'f', c.matrix_frac_bits},
-          {'D', c.depth_bits}};
+  return {{'P', c.position_bits()},  {'B', c.voxel_frac_bits}, {'N', c.normal_bits},
+          {'f', c.matrix_frac_bits}, {'D', c.depth_bits},      {'p', c.plane_log2}};
 }
 
 TEST(Formats, PageListsTheSameValuesInTheSameOrder) {

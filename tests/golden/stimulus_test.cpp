@@ -39,7 +39,7 @@ TEST(Stimulus, ASeedMeansTheSameWordsEverywhere) {
   const auto words = stimulus::random_stream({}, {.seed = 1});
   EXPECT_EQ(words, stimulus::random_stream({}, {.seed = 1}));
   EXPECT_NE(words, stimulus::random_stream({}, {.seed = 2}));
-  EXPECT_EQ(fnv1a(words), 5263774174566214652u)
+  EXPECT_EQ(fnv1a(words), 14908086355782831256u)
       << "a changed generator is fine, but then old seeds mean other streams";
 }
 
@@ -61,7 +61,9 @@ TEST(Stimulus, StreamsEndBetweenCommandsWithAFence) {
 std::map<std::string, std::uint64_t> reached(const HardwareConfig& config, std::span<const Word> words) {
   const Outcome outcome = run(config, words);
   auto counts = outcome.events;
-  for (const Word word : outcome.results) {
+  golden::ResultReader reader(outcome.results);
+  while (const auto record = reader.next()) {
+    const Word word = record->word;
     if (golden::result_code(word) == ResultCode::Error) {
       ++counts["error " + std::to_string(golden::decode_error_result(word).error)];
     }

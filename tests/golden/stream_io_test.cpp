@@ -68,10 +68,10 @@ TEST_F(StreamIo, LongAndEmptyStreams) {
 TEST_F(StreamIo, BytesAreAsDescribed) {
   ASSERT_EQ(save_stream(path_, {}, std::vector<Word>{0x1122334455667788}), std::nullopt);
   const auto le32 = [](char value) { return std::string{value, 0, 0, 0}; };
-  EXPECT_EQ(bytes(), "GNOMON\x1A\n" + le32(4) + le32(8) + le32(2) + le32(9) + le32(22) + le32(20) + le32(9) +
+  EXPECT_EQ(bytes(), "GNOMON\x1A\n" + le32(5) + le32(8) + le32(2) + le32(9) + le32(22) + le32(20) + le32(9) +
                          le32(1) + le32(0) + le32(8) + le32(7) + le32(7) + le32(2) + le32(10) + le32(10) +
                          le32(0) + le32(0) + le32(4) + le32(4) + le32(20) + le32(18) + le32(0) + le32(0) +
-                         le32(1) + le32(0) + "\x88\x77\x66\x55\x44\x33\x22\x11");
+                         le32(0) + le32(1) + le32(0) + "\x88\x77\x66\x55\x44\x33\x22\x11");
 }
 
 /// Files of hardware without the silhouette-line buffer, from before there was one.
@@ -137,6 +137,14 @@ TEST_F(StreamIo, EveryFrameBufferParameterIsKept) {
   EXPECT_NE(std::get<StreamFile>(result).config, config);
 }
 
+TEST_F(StreamIo, PerspectiveIsKept) {
+  ASSERT_EQ(save_stream(path_, {.en_perspective = true}, {}), std::nullopt);
+  const auto result = load_stream(path_);
+  ASSERT_TRUE(std::holds_alternative<StreamFile>(result)) << std::get<std::string>(result);
+  EXPECT_EQ(std::get<StreamFile>(result).config, (HardwareConfig{.en_perspective = true}));
+  EXPECT_NE(std::get<StreamFile>(result).config, HardwareConfig{});
+}
+
 TEST_F(StreamIo, EachDamageHasItsMessage) {
   ASSERT_EQ(save_stream(path_, {}, std::vector<Word>{1, 2}), std::nullopt);
   const std::string good = bytes();
@@ -148,18 +156,18 @@ TEST_F(StreamIo, EachDamageHasItsMessage) {
     return failure();
   };
   EXPECT_EQ(damaged(0, 'X'), "is not a Gnomon stream file");
-  EXPECT_EQ(damaged(8, 5), "has version 5; this program reads versions 1 to 4");
-  EXPECT_EQ(damaged(8, 0), "has version 0; this program reads versions 1 to 4");
+  EXPECT_EQ(damaged(8, 6), "has version 6; this program reads versions 1 to 5");
+  EXPECT_EQ(damaged(8, 0), "has version 0; this program reads versions 1 to 5");
   EXPECT_EQ(damaged(12, 3), "names illegal hardware: VOXEL_BITS=3 is out of range 4..11");
   EXPECT_EQ(damaged(15, '\xFF'), "names illegal hardware: VOXEL_BITS=2147483647 is out of range 4..11");
   EXPECT_EQ(damaged(68, 2), "names illegal hardware: SLB_ROUNDING=2 is out of range 0..1");
-  EXPECT_EQ(damaged(100, 3), "promises 3 words, but 16 bytes follow the header");
+  EXPECT_EQ(damaged(104, 3), "promises 3 words, but 16 bytes follow the header");
   write(good.substr(0, good.size() - 1));
   EXPECT_EQ(failure(), "promises 2 words, but 15 bytes follow the header");
   write(good + "x");
   EXPECT_EQ(failure(), "promises 2 words, but 17 bytes follow the header");
   write(good.substr(0, 20));
-  EXPECT_EQ(failure(), "ends after 20 bytes; the header alone has 108");
+  EXPECT_EQ(failure(), "ends after 20 bytes; the header alone has 112");
   write("");
   EXPECT_EQ(failure(), "is not a Gnomon stream file");
 }

@@ -136,13 +136,14 @@ TEST(Widths, NarrowerFormatsAreFound) {
 }
 
 /// Nothing on the page goes unchecked: each format beyond items and registers is one of the oracle's values.
+/// The perspective projection's, which stand last, have a test of their own.
 TEST(Widths, EveryFormatIsExercised) {
   const HardwareConfig config;
   std::set<std::string> produced;
   for (const auto& value : exact::Unit(config, RegisterValues{}).intermediates({}, 0))
     produced.insert(value.name);
   const auto formats = golden::value_formats(config);
-  for (std::size_t i = 2 + golden::kRegisterCount; i < formats.size(); ++i) {
+  for (std::size_t i = 2 + golden::kRegisterCount; formats.at(i).name != std::string("PROJECTION"); ++i) {
     EXPECT_TRUE(produced.contains(formats[i].name)) << formats[i].name;
   }
 }

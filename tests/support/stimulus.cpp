@@ -68,6 +68,13 @@ class Walk {
     for (int i = 0; i < header.count; ++i) words_.push_back(random_.bits());
   }
   std::uint16_t few() { return static_cast<std::uint16_t>(random_.between(0, 5)); }
+  /// What is said about hardware with registers up to DELTA_MAX, as if its last were that of this hardware:
+  /// beyond it lie those that no hardware has.
+  std::uint32_t near_last_register(std::uint32_t first, std::uint32_t count) const {
+    if (first > golden::kAllRegisterCount) return first;
+    const bool beyond = first + count > golden::kRegisterCount;
+    return beyond || config_.en_perspective ? first + golden::kPerspectiveRegisterCount : first;
+  }
   std::uint32_t any_arg() { return static_cast<std::uint32_t>(random_.bits()); }
 
   HardwareConfig config_;
@@ -178,7 +185,7 @@ void Walk::illegal() {
       return raw({static_cast<std::uint8_t>(Op::SetRegisters), 0, count, arg});
     case 2:
       return raw({static_cast<std::uint8_t>(Op::SetRegisters), 0, 4,
-                  static_cast<std::uint32_t>(random_.between(13, 19))});
+                  near_last_register(static_cast<std::uint32_t>(random_.between(13, 19)), 4)});
     case 3:
       return raw({static_cast<std::uint8_t>(Op::ReadPlane), 0, 0,
                   golden::encode(golden::PlaneRange{
@@ -199,8 +206,10 @@ void Walk::random_header() {
   const std::uint16_t count = few();
   const std::uint32_t arg =
       random_.chance(50) ? any_arg() : static_cast<std::uint32_t>(random_.between(0, 20));
-  if (op == static_cast<std::uint8_t>(Op::SetRegisters) && arg + count <= golden::kRegisterCount) {
-    return nop();  // random register contents would make the rest of the stream fall off the plane
+  if (op == static_cast<std::uint8_t>(Op::SetRegisters)) {
+    if (arg + count <= golden::kRegisterCount)
+      return nop();  // random register contents would make the rest of the stream fall off the plane
+    return raw({op, flags, count, near_last_register(arg, count)});
   }
   raw({op, flags, count, arg});
 }

@@ -7,7 +7,8 @@ namespace gnomon::golden::topology {
 namespace {
 
 constexpr int kCode = 56;
-constexpr int kState = 54, kFacingAway = 53, kOffPlane = 52, kUncertain = 51, kHit = 50, kFallback = 49;
+constexpr int kState = 54, kFacingAway = 53, kOffPlane = 52, kUncertain = 51, kHit = 50, kFallback = 49,
+              kUnreached = 48;
 constexpr int kQuad = 24, kVisited = 12;
 constexpr int kIndex = 32, kPresent = 31, kLinked = 30, kDropped = 29;
 
@@ -29,7 +30,8 @@ std::string named(const char* name, std::uint64_t value) {
 
 std::uint32_t encode(const TopologySticky& sticky) {
   return (sticky.depth_saturated ? kStickyDepthSaturated : 0) |
-         (sticky.list_overflow ? kStickyListOverflow : 0) | (sticky.quad_off_plane ? kStickyQuadOffPlane : 0);
+         (sticky.list_overflow ? kStickyListOverflow : 0) |
+         (sticky.quad_off_plane ? kStickyQuadOffPlane : 0) | (sticky.behind_light ? kStickyBehindLight : 0);
 }
 
 Item decode_item(Word word, const TopologyConfig& config) {
@@ -49,17 +51,21 @@ Word encode(const TopologyResult& r) {
   const Word state = r.shadow ? 2 : 1;
   return Word{kStateCode} << kCode | state << kState | flag(r.facing_away, kFacingAway) |
          flag(r.off_plane, kOffPlane) | flag(r.uncertain, kUncertain) | flag(r.hit, kHit) |
-         flag(r.fallback, kFallback) | Word{r.quad & kNoQuad} << kQuad |
-         Word{std::min(r.visited, kMostCounted)} << kVisited | std::min(r.tested, kMostCounted);
+         flag(r.fallback || r.behind, kFallback) | flag(r.outside_cone || r.behind, kUnreached) |
+         Word{r.quad & kNoQuad} << kQuad | Word{std::min(r.visited, kMostCounted)} << kVisited |
+         std::min(r.tested, kMostCounted);
 }
 
 TopologyResult decode_topology_result(Word word) {
+  const bool unreached = bit(word, kUnreached), why = bit(word, kFallback);
   return {.shadow = field(word, kState, 2) == 2,
           .facing_away = bit(word, kFacingAway),
           .off_plane = bit(word, kOffPlane),
           .uncertain = bit(word, kUncertain),
           .hit = bit(word, kHit),
-          .fallback = bit(word, kFallback),
+          .fallback = !unreached && why,
+          .outside_cone = unreached && !why,
+          .behind = unreached && why,
           .quad = field(word, kQuad, 24),
           .visited = field(word, kVisited, 12),
           .tested = field(word, 0, 12)};
@@ -87,7 +93,8 @@ std::string describe_topology_result(Word word) {
   const TopologyResult r = decode_topology_result(word);
   return "TOPOLOGY_STATE" + named("state", field(word, kState, 2)) + named("facing_away", r.facing_away) +
          named("off_plane", r.off_plane) + named("uncertain", r.uncertain) + named("hit", r.hit) +
-         named("fallback", r.fallback) + named("quad", r.quad) + named("visited", r.visited) +
+         named("fallback", r.fallback) + (r.outside_cone ? named("outside_cone", 1) : "") +
+         (r.behind ? named("behind", 1) : "") + named("quad", r.quad) + named("visited", r.visited) +
          named("tested", r.tested);
 }
 

@@ -15,22 +15,29 @@ TopologyConfig checked(const TopologyConfig& config) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::uint64_t>> named(const TopologyCounters& c) {
-  return {{"QUADS_PUT", c.quads_put},
-          {"QUADS_OFF_PLANE", c.quads_off_plane},
-          {"QUADS_TOO_LARGE", c.quads_too_large},
-          {"QUADS_SATURATED", c.quads_saturated},
-          {"NODES_LINKED", c.nodes_linked},
-          {"NODES_DROPPED", c.nodes_dropped},
-          {"TOPOLOGY_RESOLVED", c.resolved},
-          {"TOPOLOGY_FACING_AWAY", c.facing_away},
-          {"TOPOLOGY_OFF_PLANE", c.off_plane},
-          {"TOPOLOGY_UNCERTAIN", c.uncertain},
-          {"TOPOLOGY_HIT", c.hit},
-          {"TOPOLOGY_FALLBACK", c.fallback},
-          {"TOPOLOGY_SHADOW", c.shadow},
-          {"NODES_VISITED", c.nodes_visited},
-          {"QUADS_TESTED", c.quads_tested}};
+std::vector<std::pair<std::string, std::uint64_t>> named(const TopologyCounters& c, bool perspective) {
+  std::vector<std::pair<std::string, std::uint64_t>> counts = {{"QUADS_PUT", c.quads_put},
+                                                               {"QUADS_OFF_PLANE", c.quads_off_plane},
+                                                               {"QUADS_TOO_LARGE", c.quads_too_large},
+                                                               {"QUADS_SATURATED", c.quads_saturated},
+                                                               {"NODES_LINKED", c.nodes_linked},
+                                                               {"NODES_DROPPED", c.nodes_dropped},
+                                                               {"TOPOLOGY_RESOLVED", c.resolved},
+                                                               {"TOPOLOGY_FACING_AWAY", c.facing_away},
+                                                               {"TOPOLOGY_OFF_PLANE", c.off_plane},
+                                                               {"TOPOLOGY_UNCERTAIN", c.uncertain},
+                                                               {"TOPOLOGY_HIT", c.hit},
+                                                               {"TOPOLOGY_FALLBACK", c.fallback},
+                                                               {"TOPOLOGY_SHADOW", c.shadow},
+                                                               {"NODES_VISITED", c.nodes_visited},
+                                                               {"QUADS_TESTED", c.quads_tested}};
+  if (perspective) {
+    counts.emplace_back("QUADS_BEHIND", c.quads_behind);
+    counts.emplace_back("QUADS_STRADDLING", c.quads_straddling);
+    counts.emplace_back("TOPOLOGY_BEHIND", c.behind);
+    counts.emplace_back("TOPOLOGY_OUTSIDE_CONE", c.outside_cone);
+  }
+  return counts;
 }
 
 QuadLists::QuadLists(const TopologyConfig& config)
@@ -58,6 +65,13 @@ std::uint32_t QuadLists::next_number() {
   const std::uint32_t number = numbered_;
   numbered_ = std::min(numbered_ + 1, kNoQuad);
   return number;
+}
+
+void QuadLists::put_behind(bool all_corners) {
+  next_number();
+  ++counters_.quads_put;
+  ++(all_corners ? counters_.quads_behind : counters_.quads_straddling);
+  sticky_.behind_light = true;
 }
 
 QuadLists::Box QuadLists::box_of(const std::array<Corner, 4>& corners, int sub_bits) {

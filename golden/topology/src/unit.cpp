@@ -36,7 +36,9 @@ TopologyOutcome TopologyUnit::begin(std::uint8_t op, std::uint8_t flags, std::ui
   if (const auto error = check(op, flags, arg, count); error != TopologyError::None) return {error, {}};
   op_ = static_cast<TopologyOp>(op);
   flags_ = flags;
-  clearance_ = arg & lists_.config().no_depth();
+  const std::uint32_t most = registers_.perspective.perspective ? (1u << perspective::kClearanceBits) - 1
+                                                                : lists_.config().no_depth();
+  clearance_ = arg & most;
   items_left_ = count;
   corner_count_ = 0;
   TopologyOutcome outcome;
@@ -88,46 +90,97 @@ Projected TopologyUnit::gradient(const Item& item) const {
   return {row(0), row(4), row(8)};
 }
 
+perspective::View TopologyUnit::view() const {
+  const TopologyConfig& config = lists_.config();
+  return {{.position_bits = config.position_bits(),
+           .matrix_frac_bits = config.matrix_frac_bits,
+           .depth_bits = config.depth_bits,
+           .plane_log2 = config.plane_log2},
+          registers_.perspective};
+}
+
 void TopologyUnit::put(const std::array<Item, 4>& corners) {
+  if (registers_.perspective.perspective) return put_in_perspective(corners);
   std::array<Corner, 4> landed;
   std::transform(corners.begin(), corners.end(), landed.begin(),
                  [&](const Item& item) { return land_corner(project(item), lists_.config()); });
   lists_.put(landed);
 }
 
+void TopologyUnit::put_in_perspective(const std::array<Item, 4>& corners) {
+  const perspective::View light = view();
+  std::array<Corner, 4> landed;
+  std::size_t behind = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Projected point = project(corners[i]);
+    const perspective::Sight sight = light.see(point.u, point.v, corners[i].position);
+    if (sight.behind)
+      ++behind;
+    else
+      landed[i] = land_corner(sight, lists_.config());
+  }
+  if (behind > 0) return lists_.put_behind(behind == corners.size());
+  lists_.put(landed);
+}
+
 TopologyResult TopologyUnit::resolve(const Item& voxel, bool two_sided, std::uint32_t clearance,
                                      bool sorted) {
-  TopologyCounters& counters = lists_.counters();
-  ++counters.resolved;
-  TopologyResult result;
+  const TopologyResult result = registers_.perspective.perspective
+                                    ? answer_in_perspective(voxel, two_sided, clearance, sorted)
+                                    : answer(voxel, two_sided, clearance, sorted);
+  count(result);
+  return result;
+}
+
+TopologyResult TopologyUnit::answer(const Item& voxel, bool two_sided, std::uint32_t clearance, bool sorted) {
   Projected normal = gradient(voxel);
   if (two_sided && normal.d > 0) normal = negated(normal);
-  result.facing_away = normal.d >= 0;
-  if (result.facing_away) {
-    result.shadow = true;
-    ++counters.facing_away;
-    ++counters.shadow;
-    return result;
-  }
+  if (normal.d >= 0) return {.shadow = true, .facing_away = true};
   const Beam beam = land_beam(project(voxel), normal, registers_.offset_factor, lists_.config());
-  result.off_plane = !beam.on_plane;
-  if (result.off_plane) {
-    ++counters.off_plane;
-    return result;
-  }
+  return walk(beam, clearance, sorted);
+}
+
+TopologyResult TopologyUnit::answer_in_perspective(const Item& voxel, bool two_sided, std::uint32_t clearance,
+                                                   bool sorted) {
+  const perspective::View light = view();
+  const Projected point = project(voxel);
+  const perspective::Sight sight = light.see(point.u, point.v, voxel.position);
+  if (sight.behind) return {.shadow = true, .behind = true};
+  if (light.outside_cone(sight)) return {.shadow = true, .outside_cone = true};
+  const Projected normal = gradient(voxel);
+  perspective::Slope slope = light.slope(normal.u, normal.v, voxel);
+  if (two_sided && slope.d > 0) slope = -slope;
+  if (slope.d >= 0) return {.shadow = true, .facing_away = true};
+  const perspective::Moved moved = light.move(sight, slope, registers_.offset_factor, clearance);
+  return walk(land_beam(moved, lists_.config()), 0, sorted);
+}
+
+TopologyResult TopologyUnit::walk(const Beam& beam, std::uint32_t clearance, bool sorted) {
+  if (!beam.on_plane) return {.off_plane = true};
   const Walk walk = lists_.walk(beam, clearance, sorted);
-  result.uncertain = walk.uncertain;
-  result.hit = walk.hit;
-  result.fallback = walk.fallback;
-  result.shadow = walk.hit || walk.fallback;
-  result.quad = walk.quad;
-  result.visited = static_cast<std::uint32_t>(std::min<std::uint64_t>(walk.visited, kMostCounted));
-  result.tested = static_cast<std::uint32_t>(std::min<std::uint64_t>(walk.tested, kMostCounted));
-  counters.uncertain += walk.uncertain ? 1U : 0U;
-  counters.hit += walk.hit ? 1U : 0U;
-  counters.fallback += walk.fallback ? 1U : 0U;
+  const auto counted = [](std::uint64_t n) {
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(n, kMostCounted));
+  };
+  return {.shadow = walk.hit || walk.fallback,
+          .uncertain = walk.uncertain,
+          .hit = walk.hit,
+          .fallback = walk.fallback,
+          .quad = walk.quad,
+          .visited = counted(walk.visited),
+          .tested = counted(walk.tested)};
+}
+
+void TopologyUnit::count(const TopologyResult& result) {
+  TopologyCounters& counters = lists_.counters();
+  ++counters.resolved;
+  counters.behind += result.behind ? 1U : 0U;
+  counters.outside_cone += result.outside_cone ? 1U : 0U;
+  counters.facing_away += result.facing_away ? 1U : 0U;
+  counters.off_plane += result.off_plane ? 1U : 0U;
+  counters.uncertain += result.uncertain ? 1U : 0U;
+  counters.hit += result.hit ? 1U : 0U;
+  counters.fallback += result.fallback ? 1U : 0U;
   counters.shadow += result.shadow ? 1U : 0U;
-  return result;
 }
 
 }  // namespace gnomon::golden::topology

@@ -43,9 +43,24 @@ enum class Register : std::uint8_t {
   MatrixVx, MatrixVy, MatrixVz, MatrixV1,
   MatrixDx, MatrixDy, MatrixDz, MatrixD1,
   OffsetFactor, FacingShift, TiltShift, DeltaShift, MarginSquared, DeltaMax,
+  // Only with EN_PERSPECTIVE.
+  Projection,
+  MatrixWx, MatrixWy, MatrixWz, MatrixW1,
+  WNear, CentreU, CentreV, KeyLimit, KeyScale,
+  LightX, LightY, LightZ, ConeSquared,
 };
 // clang-format on
-inline constexpr int kRegisterCount = 18;
+inline constexpr int kRegisterCount = 18;  ///< of hardware without EN_PERSPECTIVE
+inline constexpr int kPerspectiveRegisterCount = 14;
+inline constexpr int kAllRegisterCount = kRegisterCount + kPerspectiveRegisterCount;
+/// Registers of this configuration.
+inline int register_count(const HardwareConfig& config) {
+  return config.en_perspective ? kAllRegisterCount : kRegisterCount;
+}
+// Bits of PROJECTION.
+inline constexpr std::int64_t kProjectionPerspective = 1;
+inline constexpr std::int64_t kProjectionCone = 2;
+
 /// Width and signedness of a register in this configuration.
 struct RegisterFormat {
   const char* name;
@@ -82,12 +97,15 @@ enum class ErrorCode : std::uint8_t {
 inline constexpr std::uint32_t kStickyErrorSeen = 1;
 inline constexpr std::uint32_t kStickyOffPlane = 2;
 inline constexpr std::uint32_t kStickyDepthSaturated = 4;
+// Bits 3 and 4 are topology::kSticky...
+inline constexpr std::uint32_t kStickyBehindLight = 32;
 
 enum class VoxelState : std::uint8_t { Empty = 0, Lit = 1, Shadow = 2 };
 
 struct VoxelResult {
   VoxelState state = VoxelState::Lit;
   bool facing_away = false, off_plane = false, uncertain = false, offset_empty = false, beyond_max = false;
+  bool outside_cone = false, behind = false;  ///< the two ways to be unreached; at most one is set
   std::uint32_t nearest = 0xFFFFFF;
   std::uint32_t delta = 0;
   bool operator==(const VoxelResult&) const = default;

@@ -13,13 +13,14 @@ namespace gnomon::golden {
 
 /// One hardware build. Names and meanings are those of the SystemVerilog parameters.
 struct HardwareConfig {
-  int voxel_bits = 8;         ///< VOXEL_BITS, 4..11
-  int voxel_frac_bits = 2;    ///< VOXEL_FRAC_BITS, 0..6
-  int normal_bits = 9;        ///< NORMAL_BITS, 4..12
-  int matrix_frac_bits = 22;  ///< MATRIX_FRAC_BITS, 12..28
-  int depth_bits = 20;        ///< DEPTH_BITS, 8..24
-  int plane_log2 = 9;         ///< PLANE_LOG2, 4..12
-  bool en_vpu_offset = true;  ///< EN_VPU_OFFSET
+  int voxel_bits = 8;           ///< VOXEL_BITS, 4..11
+  int voxel_frac_bits = 2;      ///< VOXEL_FRAC_BITS, 0..6
+  int normal_bits = 9;          ///< NORMAL_BITS, 4..12
+  int matrix_frac_bits = 22;    ///< MATRIX_FRAC_BITS, 12..28
+  int depth_bits = 20;          ///< DEPTH_BITS, 8..24
+  int plane_log2 = 9;           ///< PLANE_LOG2, 4..12
+  bool en_vpu_offset = true;    ///< EN_VPU_OFFSET
+  bool en_perspective = false;  ///< EN_PERSPECTIVE: with spots and point lights
 
   bool en_vpu_topology =
       false;            ///< EN_VPU_TOPOLOGY: with topology mode. Without it, the next four mean nothing

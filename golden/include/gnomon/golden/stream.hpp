@@ -46,7 +46,8 @@ class StreamWriter {
   void clear_lists();
   /// Corners c0, c1, c2, c3; c3 = c2 for a triangle.
   void put_quads(std::span<const std::array<VoxelItem, 4>> quads);
-  /// `clearance` in depth codes; `sorted`: quads were sent by descending `far`.
+  /// `clearance` in depth codes, in perspective in units of w (docs/vpu-topology.md); `sorted`: quads were
+  /// sent by descending `far`.
   void resolve_topology(std::span<const VoxelItem> items, bool two_sided, std::uint32_t clearance,
                         bool sorted);
   /// Any number of entries, in commands of at most 256.
@@ -85,6 +86,7 @@ class StreamWriter {
   void header(Op op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   void voxels(std::uint8_t op, std::uint8_t flags, std::uint32_t arg, std::span<const VoxelItem> items);
   std::uint32_t layer_arg(std::uint32_t layer) const;
+  std::uint32_t clearance_arg(std::uint32_t clearance) const;
   void topology_header(topology::TopologyOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   void slb_header(slb::SlbOp op, std::uint8_t flags, std::size_t count, std::uint32_t arg);
   template <typename Item>
@@ -94,7 +96,8 @@ class StreamWriter {
   HardwareConfig config_;
   std::vector<Word> words_;
   std::optional<Keeping> keep_;
-  slb::SlbSequence slb_;  ///< as the commands written leave it
+  bool in_perspective_ = false;  ///< as PROJECTION was last set
+  slb::SlbSequence slb_;         ///< as the commands written leave it
 };
 
 /// One command inside a stream.

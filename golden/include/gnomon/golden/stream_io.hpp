@@ -13,9 +13,10 @@
 
 namespace gnomon::golden {
 
-/// A file holds, in little-endian: the 8 bytes "GNOMON\x1A\n", uint32 version (4), 22 uint32 (the
-/// projection unit's parameters, the silhouette-line buffer's, topology mode's, the frame buffer's), uint64
-/// number of words, the words. Versions 1, 2 and 3 have the first 7, 15 and 20 parameters; they are read too.
+/// A file holds, in little-endian: the 8 bytes "GNOMON\x1A\n", uint32 version (5), 23 uint32 (the
+/// projection unit's parameters, the silhouette-line buffer's, topology mode's, the frame buffer's,
+/// EN_PERSPECTIVE), uint64 number of words, the words. Versions 1 to 4 have the first 7, 15, 20 and 22
+/// parameters; they are read too.
 struct StreamFile {
   HardwareConfig config;
   std::vector<Word> words;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/narrow.hpp>
+#include <gnomon/golden/perspective/view.hpp>
 
 namespace gnomon::golden {
 
@@ -52,6 +53,17 @@ class Vpu {
   /// The slope-scaled margin test: true if `delta` is too much to be a surface's own slope.
   bool exceeds_margin(std::uint32_t delta, const Gradient& gradient) const;
 
+  /// PROJECTION selects the perspective projection: what follows then takes the place of what stands above.
+  bool in_perspective() const { return light_.registers().perspective; }
+  const perspective::View& light() const { return light_; }
+  perspective::Sight see(const VoxelItem& item) const;
+  perspective::Slope slope(const VoxelItem& item) const;
+  /// `sight` is not behind.
+  PlanePoint land(const perspective::Sight& sight) const;
+  PlanePoint land_offset(const perspective::Sight& sight, const perspective::Slope& slope) const;
+  /// DELTA_MAX is a share of KEY_SCALE / w.
+  std::uint32_t delta_limit(const perspective::Sight& sight) const;
+
   /// Index of an entry on the plane.
   std::size_t index(const PlanePoint& point) const {
     return (static_cast<std::size_t>(point.v) << plane_log2_) + static_cast<std::size_t>(point.u);
@@ -63,9 +75,11 @@ class Vpu {
     return registers_[i] * x + registers_[i + 1] * y + registers_[i + 2] * z;
   }
   PlanePoint point(std::int64_t u, std::int64_t v, std::int64_t depth) const;
+  void set_light(Register reg, std::int64_t value);
 
   HardwareConfig config_;
-  std::array<std::int64_t, kRegisterCount> registers_{};
+  std::array<std::int64_t, kAllRegisterCount> registers_{};
+  perspective::View light_;
   int position_bits_, matrix_frac_bits_, depth_frac_bits_, plane_log2_;
   std::int64_t depth_max_;  ///< the farthest code that is not "empty"
 };
@@ -105,6 +119,35 @@ inline PlanePoint Vpu::land_offset(const Accumulators& acc, const Gradient& grad
   const std::int64_t d = narrow_floor(acc.d, position_bits_) +
                          narrow_floor(factor * narrow_floor(gradient.d, position_bits_), 16);
   return point(narrow_floor(u, matrix_frac_bits_), narrow_floor(v, matrix_frac_bits_), narrow_floor(d, 4));
+}
+
+inline perspective::Sight Vpu::see(const VoxelItem& item) const {
+  const auto& [x, y, z] = item.position;
+  return light_.see(row(Register::MatrixUx, x, y, z) + get(Register::MatrixU1),
+                    row(Register::MatrixVx, x, y, z) + get(Register::MatrixV1), item.position);
+}
+
+inline perspective::Slope Vpu::slope(const VoxelItem& item) const {
+  const auto& [x, y, z] = item.normal;
+  return light_.slope(row(Register::MatrixUx, x, y, z), row(Register::MatrixVx, x, y, z), item);
+}
+
+inline PlanePoint Vpu::land(const perspective::Sight& sight) const {
+  return point(narrow_floor(sight.u_fine, perspective::kEntryFracBits),
+               narrow_floor(sight.v_fine, perspective::kEntryFracBits),
+               narrow_floor(sight.key, perspective::kKeyFracBits));
+}
+
+inline PlanePoint Vpu::land_offset(const perspective::Sight& sight, const perspective::Slope& slope) const {
+  const perspective::Moved moved = light_.move(sight, slope, get(Register::OffsetFactor), 0);
+  return point(narrow_floor(moved.u, perspective::kEntryFracBits),
+               narrow_floor(moved.v, perspective::kEntryFracBits),
+               narrow_floor(moved.key, perspective::kKeyFracBits));
+}
+
+inline std::uint32_t Vpu::delta_limit(const perspective::Sight& sight) const {
+  return static_cast<std::uint32_t>(
+      narrow_floor(get(Register::DeltaMax) * sight.h, config_.depth_bits + perspective::kKeyFracBits));
 }
 
 inline bool Vpu::exceeds_margin(std::uint32_t delta, const Gradient& gradient) const {

@@ -44,6 +44,7 @@ inline constexpr std::uint8_t kStateCode = 0x14, kListHeadCode = 0x15;
 inline constexpr std::uint32_t kStickyDepthSaturated = 1u << 2;
 inline constexpr std::uint32_t kStickyListOverflow = 1u << 3;
 inline constexpr std::uint32_t kStickyQuadOffPlane = 1u << 4;
+inline constexpr std::uint32_t kStickyBehindLight = 1u << 5;
 std::uint32_t encode(const TopologySticky& sticky);
 
 /// A voxel item of the command stream: a corner of a quad (its normal is ignored) or a voxel.
@@ -56,6 +57,7 @@ Item decode_item(Word word, const TopologyConfig& config);
 struct TopologyResult {
   bool shadow = false;
   bool facing_away = false, off_plane = false, uncertain = false, hit = false, fallback = false;
+  bool outside_cone = false, behind = false;  ///< the two ways to be unreached; at most one is set
   std::uint32_t quad = kNoQuad;
   std::uint32_t visited = 0, tested = 0;  ///< 0..4095
   bool operator==(const TopologyResult&) const = default;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <gnomon/golden/perspective/view.hpp>
 #include <gnomon/golden/topology/config.hpp>
 
 namespace gnomon::golden::topology {
@@ -31,5 +32,10 @@ Corner land_corner(const Projected& point, const TopologyConfig& config);
 /// `normal` is the projected normal, turned to the light; `factor` is OFFSET_FACTOR.
 Beam land_beam(const Projected& point, const Projected& normal, std::int64_t factor,
                const TopologyConfig& config);
+
+/// The same in perspective. `sight` is not behind.
+Corner land_corner(const perspective::Sight& sight, const TopologyConfig& config);
+/// With the clearance in the depth: compare it with none.
+Beam land_beam(const perspective::Moved& moved, const TopologyConfig& config);
 
 }  // namespace gnomon::golden::topology

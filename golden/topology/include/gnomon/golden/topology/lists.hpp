@@ -29,17 +29,23 @@ struct TopologyCounters {
   std::uint64_t shadow = 0;
   std::uint64_t nodes_visited = 0;
   std::uint64_t quads_tested = 0;
+  // Perspective.
+  std::uint64_t quads_behind = 0;      ///< all corners behind the light
+  std::uint64_t quads_straddling = 0;  ///< some, not all
+  std::uint64_t behind = 0;
+  std::uint64_t outside_cone = 0;
   bool operator==(const TopologyCounters&) const = default;
 };
 
-/// Their names in docs/vpu-topology.md.
-std::vector<std::pair<std::string, std::uint64_t>> named(const TopologyCounters& counters);
+/// Their names in docs/vpu-topology.md; those of the perspective projection only on request.
+std::vector<std::pair<std::string, std::uint64_t>> named(const TopologyCounters& counters, bool perspective);
 
 /// Sticky flags that this mode raises.
 struct TopologySticky {
   bool list_overflow = false;
   bool quad_off_plane = false;
   bool depth_saturated = false;
+  bool behind_light = false;
   bool operator==(const TopologySticky&) const = default;
 };
 
@@ -72,6 +78,8 @@ class QuadLists {
   void reset();
   /// Links the next quad.
   void put(const std::array<Corner, 4>& corners);
+  /// The next quad has corners behind the light: it is dropped.
+  void put_behind(bool all_corners);
   /// `beam` must be on the plane. With `sorted` the walk stops at the first quad that is not wholly nearer.
   Walk walk(const Beam& beam, std::uint32_t clearance, bool sorted);
 

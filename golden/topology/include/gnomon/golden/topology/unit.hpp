@@ -25,6 +25,7 @@ struct TopologyOutcome {
 struct ProjectionRegisters {
   std::array<std::int64_t, 12> matrix{};  ///< rows U, V, D: x, y, z, 1
   std::int64_t offset_factor = 0;
+  perspective::Registers perspective;
 };
 
 class TopologyUnit {
@@ -44,6 +45,7 @@ class TopologyUnit {
   /// command's count.
   std::vector<Word> take(std::span<const Word> items);
 
+  /// `clearance` in depth codes; in perspective in units of w, 24 bits.
   TopologyResult resolve(const Item& voxel, bool two_sided, std::uint32_t clearance, bool sorted);
   void put(const std::array<Item, 4>& corners);
 
@@ -54,6 +56,13 @@ class TopologyUnit {
   TopologyError check(std::uint8_t op, std::uint8_t flags, std::uint32_t arg, std::size_t count) const;
   Projected project(const Item& item) const;
   Projected gradient(const Item& item) const;
+  perspective::View view() const;
+  void put_in_perspective(const std::array<Item, 4>& corners);
+  TopologyResult answer(const Item& voxel, bool two_sided, std::uint32_t clearance, bool sorted);
+  TopologyResult answer_in_perspective(const Item& voxel, bool two_sided, std::uint32_t clearance,
+                                       bool sorted);
+  TopologyResult walk(const Beam& beam, std::uint32_t clearance, bool sorted);
+  void count(const TopologyResult& result);
 
   QuadLists lists_;
   ProjectionRegisters registers_;
