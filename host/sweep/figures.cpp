@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures and varied parameters of a sweep's rows.
+#include "host/sweep/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "host/config/parameter.hpp"
+
+namespace gnomon::sweep {
+namespace {
+
+constexpr std::array<Figure, 11> kPlotted{{
+    {"errors.fixed.boundary_displacement", "border displaced by, plane entries"},
+    {"errors.fixed.border_voxels", "border displaced by, voxels"},
+    {"errors.fixed.all.share", "mislabelled voxels, share"},
+    {"errors.fixed.unambiguous.share", "mislabelled unambiguous voxels, share"},
+    {"run_time.cycles", "cycles"},
+    {"memory.hardware_bits", "memory, bits"},
+    {"seconds.golden", "golden engine, CPU seconds"},
+    {"seconds.rtl", "rtl engine, CPU seconds"},
+    {"seconds.host", "host, CPU seconds"},
+    {"area.cells", "logic cells (estimate, one FPGA family)"},
+    {"command.words", "command words"},
+}};
+
+std::optional<double> number(const std::string& text) {
+  double value = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// A line as RFC 4180 has it, but for its end.
+std::string line_of(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string& cell = cells[i];
+    if (i > 0) line.push_back(',');
+    if (cell.find_first_of(",\"\n\r") == std::string::npos) {
+      line.append(cell);
+      continue;
+    }
+    line.push_back('"');
+    for (const char c : cell) line.append(c == '"' ? 2 : 1, c);
+    line.push_back('"');
+  }
+  line.push_back('\n');
+  return line;
+}
+
+}  // namespace
+
+std::span<const Figure> plotted_figures() {
+  return kPlotted;
+}
+
+std::string parameter_text(const Row& row, const std::string& key) {
+  const nlohmann::json configuration = nlohmann::json::parse(row.configuration, nullptr, false);
+  if (!configuration.is_object() || !configuration.contains(key)) return {};
+  const nlohmann::json& value = configuration.at(key);
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::vector<Varied> varied_parameters(const std::vector<Row>& rows) {
+  std::vector<nlohmann::json> configurations;
+  for (const Row& row : rows)
+    configurations.push_back(nlohmann::json::parse(row.configuration, nullptr, false));
+  std::vector<Varied> varied;
+  for (const config::Parameter& parameter : config::parameters()) {
+    const std::string key(parameter.key);
+    std::set<std::string> values;
+    for (const nlohmann::json& configuration : configurations) {
+      if (!configuration.is_object() || !configuration.contains(key)) continue;
+      const nlohmann::json& value = configuration.at(key);
+      values.insert(value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    if (values.size() < 2) continue;
+    Varied one{key, {values.begin(), values.end()}};
+    std::ranges::stable_sort(one.values, [](const std::string& a, const std::string& b) {
+      const auto x = number(a), y = number(b);
+      return x && y ? *x < *y : x.has_value() && !y;
+    });
+    varied.push_back(std::move(one));
+  }
+  return varied;
+}
+
+std::string csv_table(const std::vector<Row>& rows) {
+  const std::vector<Varied> varied = varied_parameters(rows);
+  std::set<std::string> figures;
+  for (const Row& row : rows) {
+    for (const auto& [name, value] : row.figures) figures.insert(name);
+  }
+  std::vector<std::string> header{"scene"};
+  for (const Varied& parameter : varied) header.push_back(parameter.key);
+  header.insert(header.end(), figures.begin(), figures.end());
+  header.emplace_back("command");
+  std::string text = line_of(header);
+  for (const Row& row : rows) {
+    if (row.failed()) continue;
+    std::vector<std::string> cells{row.scene};
+    for (const Varied& parameter : varied) cells.push_back(parameter_text(row, parameter.key));
+    for (const std::string& name : figures) {
+      const auto figure = row.figures.find(name);
+      cells.push_back(figure == row.figures.end() ? std::string() : fmt::format("{}", figure->second));
+    }
+    cells.push_back(fmt::format("gnomon run {}", row.flags));
+    text += line_of(cells);
+  }
+  return text;
+}
+
+}  // namespace gnomon::sweep

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sweep's page: its data, put into the template.
+#include "host/sweep/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "host/report/page_assets.hpp"
+#include "host/sweep/figures.hpp"
+#include "host/sweep/page_assets.hpp"
+
+namespace gnomon::sweep {
+namespace {
+
+namespace mustache = kainjow::mustache;
+using Json = nlohmann::ordered_json;
+
+/// The published encodings: one F and S for both, two lines a pixel of each object.
+bool is_published(const Row& row) {
+  const std::string f = parameter_text(row, "frac_bits"), s = parameter_text(row, "slope_bits");
+  return parameter_text(row, "technique").starts_with("slb") && f == s && (f == "4" || f == "7");
+}
+
+/// Figures that at least one point has.
+std::vector<Figure> present_figures(const std::vector<Row>& rows) {
+  std::vector<Figure> present;
+  for (const Figure& figure : plotted_figures()) {
+    const std::string name(figure.name);
+    if (std::ranges::any_of(rows, [&](const Row& row) { return row.figures.contains(name); }))
+      present.push_back(figure);
+  }
+  return present;
+}
+
+Json point_of(const Row& row, const std::vector<Varied>& varied, const std::vector<Figure>& figures) {
+  Json point = {{"scene", row.scene}, {"flags", row.flags}, {"mark", is_published(row)}};
+  point["configuration"] = Json::object();
+  for (const Varied& parameter : varied)
+    point["configuration"][parameter.key] = parameter_text(row, parameter.key);
+  point["figures"] = Json::object();
+  for (const Figure& figure : figures) {
+    const auto value = row.figures.find(std::string(figure.name));
+    if (value != row.figures.end()) point["figures"][std::string(figure.name)] = value->second;
+  }
+  return point;
+}
+
+/// The first of `wanted` that is among the figures, else the figure at `otherwise`.
+std::string choose(const std::vector<Figure>& figures, std::initializer_list<std::string_view> wanted,
+                   std::size_t otherwise) {
+  for (const std::string_view name : wanted) {
+    if (std::ranges::find(figures, name, &Figure::name) != figures.end()) return std::string(name);
+  }
+  return figures.empty() ? "" : std::string(figures[std::min(otherwise, figures.size() - 1)].name);
+}
+
+Json data_of(const std::vector<Row>& done) {
+  const std::vector<Varied> varied = varied_parameters(done);
+  const std::vector<Figure> figures = present_figures(done);
+  Json data = {{"points", Json::array()}, {"figures", Json::array()}, {"axes", Json::array()}};
+  data["y"] = choose(figures, {"errors.fixed.border_voxels", "errors.fixed.boundary_displacement"}, 0);
+  data["x"] = choose(figures, {"memory.hardware_bits", "run_time.cycles"}, 1);
+  for (const Figure& figure : figures)
+    data["figures"].push_back({{"name", figure.name}, {"label", figure.label}});
+  for (const Varied& parameter : varied)
+    data["axes"].push_back({{"key", parameter.key}, {"values", parameter.values}});
+  std::vector<std::string> scenes;
+  for (const Row& row : done) {
+    data["points"].push_back(point_of(row, varied, figures));
+    if (std::ranges::find(scenes, row.scene) == scenes.end()) scenes.push_back(row.scene);
+  }
+  data["scenes"] = scenes;
+  return data;
+}
+
+/// JSON that can stand in a script element: nothing in it ends the element.
+std::string embedded(const Json& data) {
+  std::string text;
+  for (const char c : data.dump()) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text;
+}
+
+}  // namespace
+
+std::string sweep_page(const std::string& title, const std::vector<Row>& rows) {
+  std::vector<Row> done;
+  mustache::data failures(mustache::data::type::list);
+  bool failed = false;
+  for (const Row& row : rows) {
+    if (!row.failed()) {
+      done.push_back(row);
+      continue;
+    }
+    failed = true;
+    mustache::data failure(mustache::data::type::object);
+    failure.set("flags", row.flags);
+    failure.set("error", row.error);
+    failures << failure;
+  }
+  mustache::data view(mustache::data::type::object);
+  view.set("title", title);
+  view.set("summary", fmt::format("{} points measured, {} failed", done.size(), rows.size() - done.size()));
+  view.set("style", std::string(report::page_css()));
+  view.set("plot_style", std::string(page_uPlot_min_css()));
+  view.set("sweep_style", std::string(page_css()));
+  view.set("data", embedded(data_of(done)));
+  view.set("plot_script", std::string(page_uPlot_iife_min_js()));
+  view.set("script", std::string(page_js()));
+  view.set("failed", failed);
+  view.set("failures", failures);
+  mustache::mustache page{std::string(page_html())};
+  if (!page.is_valid()) throw std::logic_error("sweep.html.mustache: " + page.error_message());
+  return page.render(view);
+}
+
+}  // namespace gnomon::sweep
