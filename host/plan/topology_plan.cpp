@@ -50,7 +50,7 @@ std::vector<topology::Corner> land(const TopologyPlan& plan) {
       return m[first] * item.position[0] + m[first + 1] * item.position[1] + m[first + 2] * item.position[2] +
              m[first + 3];
     };
-    return topology::land_corner({row(0), row(4), row(8)}, config);
+    return topology::land_corner(topology::Projected{row(0), row(4), row(8)}, config);
   });
   return corners;
 }
