@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "tests/support/perspective_directed.hpp"
 #include "tests/support/scene_registers.hpp"
 #include "tests/support/slb_directed.hpp"
 #include "tests/support/stimulus.hpp"
@@ -267,6 +268,9 @@ std::vector<DirectedStream> directed_streams(const HardwareConfig& config) {
   streams.push_back({"reads", read_stream(config)});
   streams.push_back({"empty_commands", empty_stream(config)});
   streams.push_back({"errors", error_stream(config)});
+  if (config.en_perspective) {
+    for (DirectedStream& stream : perspective_directed_streams(config)) streams.push_back(std::move(stream));
+  }
   if (!config.en_slb) return streams;
   for (DirectedStream& stream : slb_directed_streams(config)) streams.push_back(std::move(stream));
   return streams;

@@ -13,25 +13,6 @@ using golden::HardwareConfig;
 using golden::Register;
 using golden::RegisterFormat;
 
-using Row = std::array<std::int64_t, 3>;
-
-struct Rotation {
-  std::array<Row, 3> rows{};  ///< times `norm`
-  std::int64_t norm = 1;
-};
-
-/// The rotation of an integer quaternion; its entries are exact fractions of its norm.
-Rotation random_rotation(Random& random) {
-  const std::int64_t a = random.between(1, 9);
-  const std::int64_t b = random.between(-9, 9), c = random.between(-9, 9), d = random.between(-9, 9);
-  Rotation r;
-  r.norm = a * a + b * b + c * c + d * d;
-  r.rows[0] = {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)};
-  r.rows[1] = {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)};
-  r.rows[2] = {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d};
-  return r;
-}
-
 std::int64_t& at(RegisterValues& values, Register reg) {
   return values[static_cast<std::size_t>(reg)];
 }
@@ -109,6 +90,17 @@ std::int64_t extreme_value(std::int64_t low, std::int64_t high, Random& random) 
 
 }  // namespace
 
+Rotation random_rotation(Random& random) {
+  const std::int64_t a = random.between(1, 9);
+  const std::int64_t b = random.between(-9, 9), c = random.between(-9, 9), d = random.between(-9, 9);
+  Rotation r;
+  r.norm = a * a + b * b + c * c + d * d;
+  r.rows[0] = {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)};
+  r.rows[1] = {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)};
+  r.rows[2] = {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d};
+  return r;
+}
+
 std::int64_t register_min(Register reg, const HardwareConfig& config) {
   const RegisterFormat format = register_format(reg, config);
   return format.is_signed ? -(std::int64_t{1} << (format.width - 1)) : 0;
@@ -117,6 +109,10 @@ std::int64_t register_min(Register reg, const HardwareConfig& config) {
 std::int64_t register_max(Register reg, const HardwareConfig& config) {
   const RegisterFormat format = register_format(reg, config);
   return (std::int64_t{1} << (format.is_signed ? format.width - 1 : format.width)) - 1;
+}
+
+std::int64_t extreme_value(Register reg, const HardwareConfig& config, Random& random) {
+  return extreme_value(register_min(reg, config), register_max(reg, config), random);
 }
 
 RegisterValues scene_registers(const HardwareConfig& config, Random& random) {
@@ -141,7 +137,7 @@ RegisterValues extreme_registers(const HardwareConfig& config, Random& random) {
   RegisterValues values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto reg = static_cast<Register>(i);
-    values[i] = extreme_value(register_min(reg, config), register_max(reg, config), random);
+    values[i] = extreme_value(reg, config, random);
   }
   return values;
 }

@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "tests/support/perspective_registers.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/scene_registers.hpp"
 #include "tests/support/slb_source.hpp"
@@ -43,8 +44,11 @@ class Walk {
 
  private:
   void step();
+  AllRegisters any_registers();
   void set_all_registers();
   void set_some_registers();
+  bool in_perspective() const;
+  std::size_t count_registers() const { return static_cast<std::size_t>(golden::register_count(config_)); }
   void project();
   void resolve();
   void read_plane();
@@ -83,7 +87,7 @@ class Walk {
   golden::StreamWriter writer_;
   std::optional<SlbSource> slb_;
   std::vector<Word> words_;
-  RegisterValues registers_{};
+  AllRegisters registers_{};
   std::vector<VoxelItem> projected_;  ///< lately; what a resolve is about
 };
 
@@ -102,27 +106,47 @@ void Walk::step() {
   nop();
 }
 
+/// The first 18 from the generators for one projection; with the other, all of them.
+AllRegisters Walk::any_registers() {
+  const bool extreme = random_.chance(options_.extreme_percent);
+  if (config_.en_perspective && random_.chance(75)) {
+    return extreme ? extreme_perspective_registers(config_, 15, random_)
+                   : perspective_registers(config_, random_);
+  }
+  const RegisterValues values =
+      extreme ? extreme_registers(config_, random_) : scene_registers(config_, random_);
+  AllRegisters all{};
+  std::copy(values.begin(), values.end(), all.begin());
+  return all;
+}
+
 void Walk::set_all_registers() {
-  registers_ = random_.chance(options_.extreme_percent) ? extreme_registers(config_, random_)
-                                                        : scene_registers(config_, random_);
-  writer_.set_registers(Register::MatrixUx, registers_);
+  registers_ = any_registers();
+  writer_.set_registers(Register::MatrixUx, std::span(registers_).first(count_registers()));
 }
 
 void Walk::set_some_registers() {
-  const RegisterValues other = random_.chance(options_.extreme_percent) ? extreme_registers(config_, random_)
-                                                                        : scene_registers(config_, random_);
-  const auto first = static_cast<std::size_t>(random_.between(0, golden::kRegisterCount - 1));
-  const auto count =
-      std::min(static_cast<std::size_t>(random_.between(0, 4)), golden::kRegisterCount - first);
+  const AllRegisters other = any_registers();
+  const auto first =
+      static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(count_registers()) - 1));
+  const auto count = std::min(static_cast<std::size_t>(random_.between(0, 4)), count_registers() - first);
   std::copy_n(other.begin() + static_cast<std::ptrdiff_t>(first), count,
               registers_.begin() + static_cast<std::ptrdiff_t>(first));
   writer_.set_registers(static_cast<Register>(first), std::span(other).subspan(first, count));
 }
 
+bool Walk::in_perspective() const {
+  const auto projection = static_cast<std::size_t>(Register::Projection);
+  return (registers_[projection] & golden::kProjectionPerspective) != 0;
+}
+
 std::vector<VoxelItem> Walk::new_items() {
   const auto pattern = static_cast<Pattern>(random_.between(0, kPatternCount - 1));
   const std::size_t count = item_count();
-  return voxel_pattern(pattern, count, registers_, config_, random_);
+  RegisterValues values{};
+  std::copy_n(registers_.begin(), values.size(), values.begin());
+  if (in_perspective()) values = pattern_registers(registers_, config_);
+  return voxel_pattern(pattern, count, values, config_, random_);
 }
 
 void Walk::project() {
@@ -147,7 +171,8 @@ void Walk::read_plane() {
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       vpu.set(static_cast<Register>(i), static_cast<Word>(registers_[i]));
     }
-    const auto point = vpu.land(vpu.accumulate(random_.pick(std::span<const VoxelItem>(projected_))));
+    const VoxelItem& voxel = random_.pick(std::span<const VoxelItem>(projected_));
+    const auto point = in_perspective() ? vpu.land(vpu.see(voxel)) : vpu.land(vpu.accumulate(voxel));
     if (point.on_plane) first = std::min(static_cast<std::int64_t>(vpu.index(point)), entries - count);
   }
   writer_.read_plane(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
