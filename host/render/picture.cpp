@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -129,6 +130,9 @@ struct PictureScene::Impl {
             static_cast<float>(facing)};
   }
 
+  /// Calls `visit(seen)` for every sample that sees a surface, rows of samples on several threads.
+  template <class Visit>
+  void for_each_seen(const Camera& camera, const PictureOptions& options, const Visit& visit) const;
   /// `shadow(seen, lights[i])` answers where lights[i].light reaches.
   template <class Shadows, class Answer>
   Picture draw(const Camera& camera, std::span<const Shadows> lights, std::span<const Material> materials,
@@ -140,6 +144,28 @@ struct PictureScene::Impl {
   std::vector<ObjectMesh> objects;
   std::size_t triangles = 0;
 };
+
+template <class Visit>
+void PictureScene::Impl::for_each_seen(const Camera& camera, const PictureOptions& options,
+                                       const Visit& visit) const {
+  check(options);
+  const CameraRays rays(camera, static_cast<double>(options.width) / options.height);
+  const auto super = static_cast<std::size_t>(options.supersample);
+  const std::size_t width = static_cast<std::size_t>(options.width) * super;
+  const std::size_t height = static_cast<std::size_t>(options.height) * super;
+  metrics::Progress progress(height, options.progress, options.cancelled);
+  tbb::parallel_for(std::size_t{0}, height, [&](std::size_t sy) {
+    const double y = (static_cast<double>(sy) + 0.5) / static_cast<double>(height);
+    for (std::size_t sx = 0; sx < width; ++sx) {
+      const double x = (static_cast<double>(sx) + 0.5) / static_cast<double>(width);
+      std::optional<Seen> seen = look(rays.eye(), rays.direction(x, y));
+      if (!seen) continue;
+      seen->sample = sy * width + sx;
+      visit(*seen);
+    }
+    progress.step();
+  });
+}
 
 template <class Shadows, class Answer>
 Picture PictureScene::Impl::draw(const Camera& camera, std::span<const Shadows> lights,
@@ -218,27 +244,32 @@ Picture PictureScene::render(const Camera& camera, std::span<const StateShadows>
   });
 }
 
+std::vector<std::uint32_t> PictureScene::visible_voxels(const Camera& camera,
+                                                        const PictureOptions& options) const {
+  std::vector<std::uint8_t> asked(impl_->voxels.voxels.size(), 0);
+  impl_->for_each_seen(camera, options, [&](const Seen& seen) {
+    for (const std::uint32_t corner : impl_->voxels.subpatches[seen.subpatch].corner)
+      std::atomic_ref(asked[corner]).store(1, std::memory_order_relaxed);
+  });
+  std::vector<std::uint32_t> voxels;
+  for (std::uint32_t i = 0; i < asked.size(); ++i)
+    if (asked[i] != 0) voxels.push_back(i);
+  return voxels;
+}
+
 VisiblePoints PictureScene::visible_points(const Camera& camera, const metrics::ExactReference& reference,
                                            const PictureOptions& options) const {
   check(options);
-  const CameraRays rays(camera, static_cast<double>(options.width) / options.height);
-  const auto width = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.supersample);
-  const auto height =
-      static_cast<std::size_t>(options.height) * static_cast<std::size_t>(options.supersample);
+  const auto super = static_cast<std::size_t>(options.supersample);
+  const std::size_t width = static_cast<std::size_t>(options.width) * super;
+  const std::size_t height = static_cast<std::size_t>(options.height) * super;
   std::vector<std::vector<Receiver>> rows(height);
   VisiblePoints visible;
   visible.of_sample.assign(width * height, kNoPoint);
-  metrics::Progress progress(height, options.progress, options.cancelled);
-  tbb::parallel_for(std::size_t{0}, height, [&](std::size_t sy) {
-    const double y = (static_cast<double>(sy) + 0.5) / static_cast<double>(height);
-    for (std::size_t sx = 0; sx < width; ++sx) {
-      const double x = (static_cast<double>(sx) + 0.5) / static_cast<double>(width);
-      const std::optional<Seen> seen = impl_->look(rays.eye(), rays.direction(x, y));
-      if (!seen) continue;
-      visible.of_sample[sy * width + sx] = static_cast<std::uint32_t>(rows[sy].size());
-      rows[sy].push_back(impl_->receiver(*seen, reference));
-    }
-    progress.step();
+  impl_->for_each_seen(camera, options, [&](const Seen& seen) {
+    std::vector<Receiver>& row = rows[seen.sample / width];
+    visible.of_sample[seen.sample] = static_cast<std::uint32_t>(row.size());
+    row.push_back(impl_->receiver(seen, reference));
   });
   for (std::size_t sy = 0; sy < height; ++sy) {
     const auto first = static_cast<std::uint32_t>(visible.points.size());

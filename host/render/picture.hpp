@@ -85,6 +85,8 @@ class PictureScene {
   /// ends is decided at the sample, and corners outside of it have no say.
   Picture render(const Camera& camera, std::span<const StateShadows> lights,
                  std::span<const Material> materials, const PictureOptions& options) const;
+  /// The voxels whose states that picture asks for, ascending.
+  std::vector<std::uint32_t> visible_voxels(const Camera& camera, const PictureOptions& options) const;
   /// Where the samples of that picture see a surface, and how it faces the light of `reference`, which also
   /// knows the surfaces that are two-sided.
   VisiblePoints visible_points(const Camera& camera, const metrics::ExactReference& reference,

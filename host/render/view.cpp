@@ -3,6 +3,8 @@
 #include "host/render/view.hpp"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace gnomon::render {
 namespace {
@@ -18,6 +20,19 @@ constexpr std::array<std::array<float, 3>, 7> kWarm = {{
 }};
 
 }  // namespace
+
+std::vector<Camera> full_turn(const Camera& start, std::size_t frames) {
+  std::vector<Camera> cameras(frames, start);
+  const Vec3 axis = start.up.normalized();
+  const Vec3 arm = start.eye - start.target;
+  const Vec3 along = axis * arm.dot(axis);
+  const Vec3 across = arm - along;
+  for (std::size_t i = 1; i < frames; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(frames);
+    cameras[i].eye = start.target + along + across * std::cos(angle) + axis.cross(across) * std::sin(angle);
+  }
+  return cameras;
+}
 
 std::vector<Material> default_materials(std::uint32_t objects, std::uint32_t ground) {
   std::vector<Material> materials(objects);

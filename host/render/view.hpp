@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,10 @@ struct Camera {
   Vec3 eye{0, 0, 1}, target{0, 0, 0}, up{0, 1, 0};
   double fov_degrees = 35;  ///< vertical field of view, 0 < fov < 180
 };
+
+/// `frames` cameras that go once around the target in equal steps, about the axis `up` through it and
+/// anticlockwise seen from its tip; the first is `start` itself. They do not end where they began.
+std::vector<Camera> full_turn(const Camera& start, std::size_t frames);
 
 /// Colours are linear RGB, 0..1.
 struct Material {

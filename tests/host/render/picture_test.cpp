@@ -214,6 +214,24 @@ TEST_F(BoxOnGround, ExactAnswersAtTheVisiblePointsGiveTheReference) {
   EXPECT_THROW(answer(), std::invalid_argument);
 }
 
+TEST_F(BoxOnGround, OnlyTheStatesOfVisibleVoxelsMatter) {
+  const PictureOptions options = small(160, 120, 2);
+  const std::vector<std::uint32_t> visible = scene_.visible_voxels(camera_, options);
+  EXPECT_TRUE(std::ranges::is_sorted(visible));
+  EXPECT_GT(visible.size(), 1000U);
+  EXPECT_LT(visible.size(), states_.size() - 500) << "the box hides its far sides";
+  std::vector<VoxelState> known(states_.size(), VoxelState::Empty);
+  for (const std::uint32_t i : visible) known[i] = states_[i];
+  const Picture expected = from_states(options);
+  EXPECT_EQ(render_one(scene_, camera_, StateShadows{light_, known}, materials_, options).image.rgb,
+            expected.image.rgb);
+  // They do matter: turned over, the picture changes.
+  for (const std::uint32_t i : visible)
+    known[i] = known[i] == VoxelState::Lit ? VoxelState::Shadow : VoxelState::Lit;
+  EXPECT_NE(render_one(scene_, camera_, StateShadows{light_, known}, materials_, options).mask,
+            expected.mask);
+}
+
 TEST_F(BoxOnGround, ThePictureDoesNotDependOnTheNumberOfThreads) {
   const Picture more = from_states(small(160, 120, 2));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);

@@ -26,6 +26,24 @@ TEST(CameraRays, RefusesViewsWithoutADirection) {
   EXPECT_THROW(CameraRays({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 180}, 1), std::invalid_argument);
 }
 
+TEST(FullTurn, GoesAroundTheTargetInEqualStepsAndStartsWhereItIs) {
+  const Camera start{{4, 1, 7}, {1, 1, 1}, {0, 0, 2}, 33};
+  const std::vector<Camera> turn = full_turn(start, 8);
+  ASSERT_EQ(turn.size(), 8U);
+  EXPECT_EQ(turn[0].eye, start.eye);
+  // A quarter turn to the left: from +x to +y.
+  EXPECT_LT((turn[2].eye - Vec3(1, 4, 7)).length(), 1e-12);
+  const double step = (turn[1].eye - turn[0].eye).length();
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR((turn[(i + 1) % 8].eye - turn[i].eye).length(), step, 1e-12);
+    EXPECT_NEAR((turn[i].eye - start.target).length(), (start.eye - start.target).length(), 1e-12);
+    EXPECT_EQ(turn[i].target, start.target);
+    EXPECT_EQ(turn[i].up, start.up);
+    EXPECT_EQ(turn[i].fov_degrees, 33);
+  }
+  EXPECT_TRUE(full_turn(start, 0).empty());
+}
+
 TEST(DefaultMaterials, GroundIsGreyAndNeighboursDiffer) {
   const auto materials = default_materials(6, 2);
   ASSERT_EQ(materials.size(), 6u);
