@@ -2,8 +2,12 @@
 // Lists by bounding box, and the published test on every quad that is wholly nearer.
 #include "host/plan/topology_double.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -16,6 +20,16 @@ constexpr double kNothing = std::numeric_limits<double>::infinity();
 /// Normals are stored in single precision: a cosine below this says nothing about the side that faces the
 /// light.
 constexpr double kGrazing = 1e-6;
+
+constexpr std::size_t kGrain = 4096;  // voxels a task
+
+/// What some voxels took.
+struct Effort {
+  std::uint64_t uncertain = 0, tested = 0;
+  friend Effort operator+(const Effort& a, const Effort& b) {
+    return {a.uncertain + b.uncertain, a.tested + b.tested};
+  }
+};
 
 /// Quads by plane entry, one array for all lists.
 class Lists {
@@ -107,7 +121,7 @@ TopologyDouble topology_states_double(const TopologyPlan& plan, const voxel::Vox
     return nearer(published_distance(start, -beam, p[0], p[1], p[2])) ||
            nearer(published_distance(start, -beam, p[0], p[2], p[3]));
   };
-  const auto state = [&](const voxel::Voxel& voxel) {
+  const auto state = [&](const voxel::Voxel& voxel, Effort& effort) {
     Vec3 n(double{voxel.normal[0]}, double{voxel.normal[1]}, double{voxel.normal[2]});
     if (two_sided[voxel.object] && n.dot(beam) > 0) n = -n;
     if (-n.dot(beam) <= kGrazing) return golden::VoxelState::Shadow;
@@ -117,16 +131,24 @@ TopologyDouble topology_states_double(const TopologyPlan& plan, const voxel::Vox
     for (const std::uint32_t i : lists.at(start)) {
       if (lists.far(i) + clearance >= depth) continue;
       uncertain = true;
-      ++out.tested;
+      ++effort.tested;
       shadow = hit(start, quads[i]);
       if (shadow) break;
     }
-    out.uncertain += uncertain ? 1U : 0U;
+    effort.uncertain += uncertain ? 1U : 0U;
     return shadow ? golden::VoxelState::Shadow : golden::VoxelState::Lit;
   };
   out.states.resize(receivers.size());
-  std::transform(receivers.begin(), receivers.end(), out.states.begin(),
-                 [&](std::uint32_t i) { return state(voxels.voxels[i]); });
+  const Effort total = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, receivers.size(), kGrain), Effort{},
+      [&](const tbb::blocked_range<std::size_t>& part, Effort effort) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i)
+          out.states[i] = state(voxels.voxels[receivers[i]], effort);
+        return effort;
+      },
+      std::plus<>());
+  out.uncertain = total.uncertain;
+  out.tested = total.tested;
   return out;
 }
 

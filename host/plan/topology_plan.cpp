@@ -2,6 +2,8 @@
 // Chooses lift and clearance, sizes the pools, orders the quads (docs/vpu-topology.md).
 #include "host/plan/topology_plan.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -63,7 +65,7 @@ void sort_by_far(std::vector<voxel::VoxelQuad>& quads, std::span<const topology:
     for (const std::uint32_t c : quads[i]) far = std::max(far, corners[c].depth);
     order[i] = {~far, i};
   }
-  std::sort(order.begin(), order.end());
+  tbb::parallel_sort(order.begin(), order.end());
   std::vector<voxel::VoxelQuad> sorted(quads.size());
   std::transform(order.begin(), order.end(), sorted.begin(), [&](const auto& o) { return quads[o.second]; });
   quads = std::move(sorted);

@@ -2,6 +2,10 @@
 // Stitches subpatches: every point on a side is collected, by line within a face and by curve between faces.
 #include "host/voxel/subpatches.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -10,6 +14,8 @@
 
 namespace gnomon::voxel {
 namespace {
+
+constexpr std::size_t kGrain = 4096;  // quads a task
 
 /// A corner of some subpatch on a line of parameter space: (across, along, voxel).
 struct LinePoint {
@@ -182,7 +188,7 @@ void drop_repeats(CastingQuads& out) {
   keys.reserve(out.quads.size());
   for (const VoxelQuad& q : out.quads)
     keys.emplace_back(canonical(q), static_cast<std::uint32_t>(keys.size()));
-  std::sort(keys.begin(), keys.end());
+  tbb::parallel_sort(keys.begin(), keys.end());
   std::vector<bool> repeated(keys.size());
   for (std::size_t i = 1; i < keys.size(); ++i)
     if (keys[i].first == keys[i - 1].first) repeated[keys[i].second] = true;
@@ -247,15 +253,18 @@ std::vector<LimitQuad> limit_quads(std::span<const surface::LimitSurface> surfac
   };
   std::vector<LimitQuad> out;
   for_each_outline(surfaces, numbered, [&](const std::vector<std::uint32_t>& polygon) {
-    for_each_quad(polygon, [&](const VoxelQuad& quad) {
-      LimitQuad limit{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        limit.points[i] = point(quad[i]);
-        limit.voxels[i] = set.subpatches[quad[i] / 4].corner[quad[i] % 4];
-      }
-      out.push_back(limit);
-    });
+    for_each_quad(polygon, [&](const VoxelQuad& quad) { out.push_back({{}, quad}); });
   });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.size(), kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& part) {
+                      for (std::size_t q = part.begin(); q < part.end(); ++q) {
+                        for (std::size_t i = 0; i < 4; ++i) {
+                          std::uint32_t& number = out[q].voxels[i];
+                          out[q].points[i] = point(number);
+                          number = set.subpatches[number / 4].corner[number % 4];
+                        }
+                      }
+                    });
   return out;
 }
 
