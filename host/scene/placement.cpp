@@ -54,14 +54,20 @@ bool below_floor(const Light& light, int up, double floor) {
 
 /// Footprint of the models and of their shadows on the plane through their lowest point; its height is that
 /// plane's.
-Box3 shadow_footprint(const Box3& models, const Axes& a, std::span<const Light> lights) {
-  const double floor = models.min[a.up];
-  const double longest = largest_side(models);
-  Box3 footprint = models;
+Box3 shadow_footprint(std::span<const Box3> models, const Axes& a, std::span<const Light> lights) {
+  Box3 all;
+  for (const Box3& model : models) all.extendBy(model);
+  const double floor = all.min[a.up];
+  const double longest = largest_side(all);
+  Box3 footprint = all;
   for (const Light& light : lights) {
     if (below_floor(light, a.up, floor)) continue;
-    for (const Vec3& corner : corners(models))
-      footprint.extendBy(corner + shadow_reach(light, corner, corner[a.up] - floor, longest, a.up));
+    // A lamp near by throws a corner of the box around all models much farther than any of them reaches.
+    const bool directional = std::holds_alternative<DirectionalLight>(light);
+    for (const Box3& box : directional ? std::span<const Box3>(&all, 1) : models) {
+      for (const Vec3& corner : corners(box))
+        footprint.extendBy(corner + shadow_reach(light, corner, corner[a.up] - floor, longest, a.up));
+    }
   }
   footprint.min[a.up] = footprint.max[a.up] = floor;
   const double border = 0.15 * longest;
@@ -82,7 +88,7 @@ DirectionalLight default_light(UpAxis up) {
   return {(up == UpAxis::Y ? Vec3(0.45, -1, -0.4) : Vec3(0.45, 0.4, -1)).normalized()};
 }
 
-Object make_ground(const Box3& models, UpAxis up, std::span<const Light> lights) {
+Object make_ground(std::span<const Box3> models, UpAxis up, std::span<const Light> lights) {
   constexpr std::int32_t kCells = 4;
   const Axes a = axes(up);
   const Box3 area = shadow_footprint(models, a, lights);

@@ -94,6 +94,24 @@ Box3 bounds_of(const std::vector<Object>& objects) {
   return all;
 }
 
+/// A lamp very far away would leave nothing of single precision for the differences between its rays.
+Result<void> check_distances(const Scene& scene) {
+  constexpr double kFarthest = 10000;
+  const Box3 box = bounds_of(scene.objects);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    Vec3 position = box.center();
+    if (const auto* spot = std::get_if<SpotLight>(&scene.lights[i])) position = spot->position;
+    if (const auto* point = std::get_if<PointLight>(&scene.lights[i])) position = point->position;
+    if ((position - box.center()).length() > kFarthest * box.size().length()) {
+      return fail(
+          fmt::format("{}: error: lights/{} is more than {} times the models' size away, expected a "
+                      "nearer or a directional light",
+                      scene.source.string(), i, kFarthest));
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Scene> load_scene(const std::filesystem::path& path, const SceneOptions& options) {
@@ -109,9 +127,14 @@ Result<Scene> load_scene(const std::filesystem::path& path, const SceneOptions& 
   scene.lights = file->lights;
   if (scene.lights.empty()) scene.lights = {default_light(options.up)};
   if (options.light) scene.lights = {DirectionalLight{options.light->normalized()}};
+  if (Result<void> near = check_distances(scene); !near) return tl::make_unexpected(near.error());
 
   const Box3 models = bounds_of(scene.objects);
-  if (options.ground) scene.objects.push_back(make_ground(models, options.up, scene.lights));
+  if (options.ground) {
+    std::vector<Box3> boxes;
+    for (const Object& object : scene.objects) boxes.push_back(object.bounds);
+    scene.objects.push_back(make_ground(boxes, options.up, scene.lights));
+  }
   if (std::ranges::none_of(scene.objects, &Object::receives))
     return fail(path.string() +
                 ": error: no object receives shadows, expected ground = \"on\" or a model that does");
