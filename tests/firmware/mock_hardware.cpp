@@ -19,6 +19,11 @@ namespace {
 
 constexpr std::uint32_t kLast = 1, kInterrupt = 2, kKnownFlags = kLast | kInterrupt, kComplete = 0x8000;
 
+/// Of a descriptor in the command ring.
+std::uint64_t place(std::uint64_t base, std::uint32_t log2, std::uint32_t count) {
+  return base + std::uint64_t{count & ((1U << log2) - 1U)} * 16;
+}
+
 }  // namespace
 
 std::uint64_t Dram::word(std::uint64_t address) const {
@@ -126,17 +131,12 @@ void MockHardware::begin() {
   if (!enabled || get(hw::kCommandHeadOffset) == get(hw::kCommandTailOffset)) return;
   misbehaviour_ = {};
   if (!plan.empty()) {
-    misbehaviour_ = plan.front().value_or(Misbehaviour{});
+    misbehaviour_ = plan.front();
     plan.pop_front();
   }
   ends_in_ = kCycles;
   errors_ = 0;
   flags_ = misbehaviour_.flags;
-}
-
-/// The place of the descriptor under way.
-static std::uint64_t place(std::uint64_t base, std::uint32_t log2, std::uint32_t count) {
-  return base + std::uint64_t{count & ((1U << log2) - 1U)} * 16;
 }
 
 void MockHardware::finish() {

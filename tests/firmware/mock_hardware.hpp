@@ -46,7 +46,7 @@ class MockHardware {
 
   static constexpr std::uint64_t kCycles = 500;
 
-  std::deque<std::optional<Misbehaviour>> plan;  ///< for the next descriptors; then all is well
+  std::deque<Misbehaviour> plan;  ///< for the next descriptors; then all is well
   bool reset_never_ends = false;
   sim::registers::RegisterFile registers;
   std::uint64_t resets = 0;

@@ -69,7 +69,7 @@ Outcome Lockstep::step_core() {
   HartState state = core_.state();
   state.pc = at.pc;
   core_.set_state(state);
-  return outcome_of(core_.csr(static_cast<std::uint32_t>(Csr::Mcause)).value());
+  return outcome_of(core_.csr(static_cast<std::uint32_t>(Csr::Mcause)).value_or(0));
 }
 
 std::optional<std::string> Lockstep::step() {

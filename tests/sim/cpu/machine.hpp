@@ -35,7 +35,7 @@ struct Machine {
       address += 4;
     }
   }
-  std::uint32_t csr(Csr csr) const { return core.csr(number(csr)).value(); }
+  std::uint32_t csr(Csr csr) const { return core.csr(number(csr)).value_or(0); }
   std::uint32_t x(std::size_t index) const { return core.state().x[index]; }
   std::uint32_t pc() const { return core.state().pc; }
 };
