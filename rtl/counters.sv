@@ -3,17 +3,19 @@
 
 module counters #(
   parameter bit EN_VPU_TOPOLOGY = 1'b0,
+  parameter bit EN_FRAME_BUFFER = 1'b0,
   parameter bit EN_SLB          = 1'b0
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
   input  gnomon_pkg::events_t            events_i,
   input  topology_pkg::topology_events_t topology_events_i,
+  input  frame_pkg::frame_events_t       frame_events_i,
   input  gnomon_pkg::slb_events_t        slb_events_i,
   input  gnomon_pkg::sticky_t            sticky_i,
   input  logic [3:0]                     pass_i,
   input  logic [2:0]                     cause_i,
-  input  logic [6:0]                     index_i,
+  input  logic [7:0]                     index_i,
   output logic [63:0]                    value_o
 );
 
@@ -66,10 +68,25 @@ module counters #(
     cycles_q[cell_now] <= (counted_q[cell_now] ? cycles_q[cell_now] : 64'd0) + 64'd1;
   end
 
+  // ---- Events of the frame buffer, in the upper half of the indices; all others in the lower one ----
+  logic        upper;
+  logic [6:0]  index;
+  logic [63:0] frame_value;
+  assign {upper, index} = index_i;
+  if (EN_FRAME_BUFFER) begin : gen_frame
+    event_counters #(.COUNT(frame_pkg::COUNTER_COUNT)) u_frame (
+      .clk_i, .rst_ni, .events_i(frame_events_i), .number_i(index), .value_o(frame_value)
+    );
+  end else begin : gen_no_frame
+    logic unused_frame;
+    assign unused_frame = ^frame_events_i;
+    assign frame_value  = '0;
+  end
+
   // ---- Events of the silhouette-line buffer ----
   logic [6:0]  slb_number;
   logic [63:0] slb_value;
-  assign slb_number = index_i - gnomon_pkg::COUNTER_SLB;
+  assign slb_number = index - gnomon_pkg::COUNTER_SLB;
   if (EN_SLB) begin : gen_slb
     slb_counters u_slb (.clk_i, .rst_ni, .events_i(slb_events_i), .number_i(slb_number), .value_o(slb_value));
   end else begin : gen_no_slb
@@ -81,9 +98,9 @@ module counters #(
   // ---- Events of topology mode ----
   logic [6:0]  topology_number;
   logic [63:0] topology_value;
-  assign topology_number = index_i - gnomon_pkg::COUNTER_TOPOLOGY;
+  assign topology_number = index - gnomon_pkg::COUNTER_TOPOLOGY;
   if (EN_VPU_TOPOLOGY) begin : gen_topology
-    topology_counters u_topology (
+    event_counters #(.COUNT(topology_pkg::COUNTER_COUNT)) u_topology (
       .clk_i, .rst_ni, .events_i(topology_events_i), .number_i(topology_number), .value_o(topology_value)
     );
   end else begin : gen_no_topology
@@ -96,28 +113,30 @@ module counters #(
   logic [6:0]           offset;
   logic [CELL_BITS-1:0] cell_read;
   logic                 is_cell;
-  assign offset    = index_i - gnomon_pkg::COUNTER_CYCLES;
-  assign is_cell   = index_i >= gnomon_pkg::COUNTER_CYCLES && offset < 7'(CELLS);
+  assign offset    = index - gnomon_pkg::COUNTER_CYCLES;
+  assign is_cell   = index >= gnomon_pkg::COUNTER_CYCLES && offset < 7'(CELLS);
   assign cell_read = is_cell ? offset[CELL_BITS-1:0] : '0;
 
+  logic [63:0] lower_value;
+  assign value_o = upper ? frame_value : lower_value;
   always_comb begin
-    case (index_i)
-      gnomon_pkg::COUNTER_COMMANDS:              value_o = commands_q;
-      gnomon_pkg::COUNTER_ERRORS:                value_o = errors_q;
-      gnomon_pkg::COUNTER_VOXELS_PROJECTED:      value_o = projected_q;
-      gnomon_pkg::COUNTER_PROJECT_OFF_PLANE:     value_o = off_plane_q;
-      gnomon_pkg::COUNTER_PROJECT_SATURATED:     value_o = saturated_q;
-      gnomon_pkg::COUNTER_PLANE_WRITES:          value_o = writes_q;
-      gnomon_pkg::COUNTER_VOXELS_RESOLVED:       value_o = resolved_q;
-      gnomon_pkg::COUNTER_RESOLVED_FACING_AWAY:  value_o = facing_away_q;
-      gnomon_pkg::COUNTER_RESOLVED_UNCERTAIN:    value_o = uncertain_q;
-      gnomon_pkg::COUNTER_RESOLVED_OFFSET_EMPTY: value_o = offset_empty_q;
-      gnomon_pkg::COUNTER_RESOLVED_SHADOW:       value_o = shadow_q;
-      gnomon_pkg::COUNTER_STICKY:                value_o = 64'(sticky_i);
+    case (index)
+      gnomon_pkg::COUNTER_COMMANDS:              lower_value = commands_q;
+      gnomon_pkg::COUNTER_ERRORS:                lower_value = errors_q;
+      gnomon_pkg::COUNTER_VOXELS_PROJECTED:      lower_value = projected_q;
+      gnomon_pkg::COUNTER_PROJECT_OFF_PLANE:     lower_value = off_plane_q;
+      gnomon_pkg::COUNTER_PROJECT_SATURATED:     lower_value = saturated_q;
+      gnomon_pkg::COUNTER_PLANE_WRITES:          lower_value = writes_q;
+      gnomon_pkg::COUNTER_VOXELS_RESOLVED:       lower_value = resolved_q;
+      gnomon_pkg::COUNTER_RESOLVED_FACING_AWAY:  lower_value = facing_away_q;
+      gnomon_pkg::COUNTER_RESOLVED_UNCERTAIN:    lower_value = uncertain_q;
+      gnomon_pkg::COUNTER_RESOLVED_OFFSET_EMPTY: lower_value = offset_empty_q;
+      gnomon_pkg::COUNTER_RESOLVED_SHADOW:       lower_value = shadow_q;
+      gnomon_pkg::COUNTER_STICKY:                lower_value = 64'(sticky_i);
       default: begin
-        if (!is_cell)                   value_o = slb_value | topology_value;  // at most one exists
-        else if (counted_q[cell_read])  value_o = cycles_q[cell_read];
-        else                            value_o = '0;
+        if (!is_cell)                   lower_value = slb_value | topology_value;  // at most one exists
+        else if (counted_q[cell_read])  lower_value = cycles_q[cell_read];
+        else                            lower_value = '0;
       end
     endcase
   end

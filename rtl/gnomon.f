@@ -14,6 +14,7 @@ mem/plane_clear.sv
 mem/plane_update.sv
 mem/plane_read_port.sv
 mem/plane_memory.sv
+mem/entry_memory.sv
 vpu/vpu_registers.sv
 vpu/vpu_unpack.sv
 vpu/vpu_dot3.sv
@@ -34,7 +35,6 @@ topology/topology_quad.sv
 topology/topology_linker.sv
 topology/topology_link.sv
 topology/topology_put.sv
-topology/topology_heads.sv
 topology/topology_store.sv
 topology/topology_lift.sv
 topology/topology_hit.sv
@@ -43,6 +43,12 @@ topology/topology_order.sv
 topology/topology_resolve.sv
 topology/topology_reader.sv
 topology/topology.sv
+frame/frame_pkg.sv
+frame/frame_place.sv
+frame/frame_modify.sv
+frame/frame_keep.sv
+frame/frame_lookup.sv
+frame/frame.sv
 slb/slb_pkg.sv
 slb/slb_line_terms.sv
 slb/slb_line_centre.sv
@@ -86,6 +92,6 @@ stream/cycle_account.sv
 stream/plane_reader.sv
 stream/command_decoder.sv
 slb_counters.sv
-topology_counters.sv
+event_counters.sv
 counters.sv
 gnomon_top.sv

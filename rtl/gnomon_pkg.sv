@@ -106,6 +106,7 @@ package gnomon_pkg;
   localparam logic [7:0] ERROR_RESERVED_FLAG  = 8'd5;
   localparam logic [7:0] ERROR_BAD_SEQUENCE   = 8'd6;
 
+  localparam int unsigned STATE_LSB   = 54;  // of the state in VOXEL_STATE and TOPOLOGY_STATE
   localparam logic [1:0] STATE_LIT    = 2'd1;
   localparam logic [1:0] STATE_SHADOW = 2'd2;
 
@@ -346,6 +347,7 @@ package gnomon_pkg;
   localparam logic [6:0] COUNTER_TOPOLOGY              = 7'd40;  // + number in the order of topology_events_t
   localparam logic [6:0] COUNTER_PERSPECTIVE           = 7'd55;  // + number in the order of perspective_events_t
   localparam logic [6:0] COUNTER_CYCLES                = 7'd64;  // + 6 * pass + cause
+  localparam logic [7:0] COUNTER_FRAME                 = 8'd128; // + number in the order of frame_events_t
   localparam int unsigned SLB_COUNTER_COUNT = 23;
 
 endpackage

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gnomon: command stream in, result stream out (docs/command-stream.md). Holds the command decoder, the voxel projection
-// unit with the plane memory, its topology mode, the silhouette-line buffer and the counters.
+// unit with the plane memory, its topology mode, the frame buffer, the silhouette-line buffer and the counters.
 
 `include "assertions.svh"
 
@@ -18,6 +18,9 @@ module gnomon_top #(
   parameter int unsigned SPAN_LOG2        = 4,
   parameter int unsigned NODES_LOG2       = 20,
   parameter int unsigned QUADS_LOG2       = 18,
+  // The cubic frame buffer (docs/frame-buffer.md).
+  parameter bit          EN_FRAME_BUFFER  = 1'b0,
+  parameter int unsigned FRAME_LAYERS_LOG2 = 0,
   // The silhouette-line buffer (docs/slb.md), with a plane of its own.
   parameter bit          EN_SLB           = 1'b0,
   parameter int unsigned SLB_PLANE_LOG2   = 8,
@@ -42,8 +45,8 @@ module gnomon_top #(
   input  logic        res_ready_i,
   output logic [63:0] res_data_o,
   // Counters, combinational: 0..10 events, 11 sticky flags, 16..38 events of the silhouette-line buffer,
-  // 40..54 of topology mode, 64 + 6 pass + cause cycles.
-  input  logic [6:0]  counter_index_i,
+  // 40..54 of topology mode, 64 + 6 pass + cause cycles, 128..132 events of the frame buffer.
+  input  logic [7:0]  counter_index_i,
   output logic [63:0] counter_value_o,
   // Nothing under way and nothing buffered: without another word nothing more will happen. Also between the items of a
   // command.
@@ -54,7 +57,7 @@ module gnomon_top #(
     .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
     .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
     .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
-    .QUADS_LOG2(QUADS_LOG2), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
+    .QUADS_LOG2(QUADS_LOG2), .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
     .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS),
     .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(MEM_LATENCY),
     .MEM_STALL_SEED(MEM_STALL_SEED)
@@ -86,13 +89,22 @@ module gnomon_top #(
   gnomon_pkg::slb_events_t slb_events;
 
   // ---- Topology mode ----
-  logic                           topology_start, topology_item_valid, topology_item_ready, topology_idle, topology_step;
+  logic                           topology_start, topology_item_offered, topology_item_valid, topology_item_ready, topology_idle, topology_step;
   logic                           topology_wait, topology_valid, topology_clipped;
   logic [63:0]                    topology_result;
   topology_pkg::topology_events_t topology_events;
 
+  // ---- Frame buffer ----
+  logic                     frame_start, frame_item_valid, frame_item_ready, frame_item_last, frame_idle, frame_step;
+  logic                     frame_wait, frame_valid, frame_room;
+  frame_pkg::frame_states_t frame_result;
+  frame_pkg::frame_events_t frame_events;
+  // State words of a resolve pass, on their way to it and to the results; and words of READ_LISTS, which it lets through.
+  logic                     state_valid, state_ready, told_valid;
+  logic [63:0]              state_word;
+
   // ---- Decoder ----
-  logic                                       register_write, item_valid, item_ready, item_resolve, item_two_sided;
+  logic                                       register_write, item_offered, item_valid, item_ready, item_resolve, item_two_sided;
   logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index;
   logic                                       vpu_idle, plane_idle, clear_valid, clear_ready, clear_last;
   logic                                       read_start, reading, read_step, read_last;
@@ -106,15 +118,18 @@ module gnomon_top #(
   logic [3:0]                                 pass;
   logic [2:0]                                 cause;
   command_decoder #(
-    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_SLB(EN_SLB),
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
+    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB),
     .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_decoder (
     .clk_i, .rst_ni, .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
-    .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_valid),
-    .item_ready_i(item_ready), .item_resolve_o(item_resolve), .item_two_sided_o(item_two_sided),
-    .vpu_idle_i(vpu_idle), .topology_start_o(topology_start), .topology_item_valid_o(topology_item_valid),
-    .topology_item_ready_i(topology_item_ready), .topology_idle_i(topology_idle), .topology_step_i(topology_step),
-    .topology_wait_i(topology_wait), .slb_start_o(slb_start), .slb_item_valid_o(slb_item_valid),
+    .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_offered),
+    .item_ready_i(item_ready && frame_room), .item_resolve_o(item_resolve), .item_two_sided_o(item_two_sided),
+    .vpu_idle_i(vpu_idle), .topology_start_o(topology_start), .topology_item_valid_o(topology_item_offered),
+    .topology_item_ready_i(topology_item_ready && frame_room), .topology_idle_i(topology_idle), .topology_step_i(topology_step),
+    .topology_wait_i(topology_wait), .frame_start_o(frame_start), .frame_item_valid_o(frame_item_valid),
+    .frame_item_ready_i(frame_item_ready), .frame_item_last_o(frame_item_last), .frame_idle_i(frame_idle),
+    .frame_step_i(frame_step), .frame_wait_i(frame_wait), .slb_start_o(slb_start), .slb_item_valid_o(slb_item_valid),
     .slb_item_ready_i(slb_item_ready), .slb_close_valid_o(slb_close_valid), .slb_close_ready_i(slb_close_ready),
     .slb_idle_i(slb_idle), .slb_step_i(slb_step), .slb_wait_i(slb_wait), .plane_idle_i(plane_idle), .clear_valid_o(clear_valid), .clear_ready_i(clear_ready),
     .clear_last_i(clear_last), .read_start_o(read_start), .read_first_o(read_first),
@@ -128,6 +143,10 @@ module gnomon_top #(
     .command_o(events.command), .error_o(events.error), .quiet_o(quiet)
   );
   assign idle_o = quiet && !res_valid_o;
+
+  // An item goes on where the frame buffer has room for its place.
+  assign item_valid          = item_offered && frame_room;
+  assign topology_item_valid = topology_item_offered && frame_room;
 
   // ---- Front end of the projection unit: both modes' items, one kind at a time, up to their places on the plane ----
   localparam int unsigned POSITION  = VOXEL_BITS + VOXEL_FRAC_BITS;
@@ -182,7 +201,7 @@ module gnomon_top #(
       .front_idle_i(front_idle), .valid_i(front_valid), .kind_i(front_kind), .tag_i(front_tag), .u_acc_i(u_acc),
       .v_acc_i(v_acc), .depth_i(place_depth[DEPTH_BITS-1:0]), .saturated_i(place_saturated),
       .facing_away_i(facing_away), .u_sum_i(u_sum), .v_sum_i(v_sum), .d_sum_i(d_sum),
-      .result_valid_o(topology_valid), .result_ready_i(result_ready), .result_o(topology_result),
+      .result_valid_o(topology_valid), .result_ready_i(state_ready), .result_o(topology_result),
       .idle_o(topology_idle), .step_o(topology_step), .wait_o(topology_wait), .clipped_o(topology_clipped),
       .events_o(topology_events)
     );
@@ -200,6 +219,43 @@ module gnomon_top #(
     assign topology_events    = '0;
     logic unused_topology;
     assign unused_topology = ^{topology_start, front_idle, front_tag, u_acc, v_acc};
+  end
+
+  // ---- States: to the frame buffer, to the results, or both ----
+  assign state_valid = topology_valid || vpu_valid;
+  assign state_word  = topology_valid ? topology_result : vpu_result;
+  if (EN_FRAME_BUFFER) begin : gen_frame
+    // No pass holds more: stages and reads of the offset mode; in topology mode the order queue besides, of 2^(W + 2) for
+    // 2^W walks.
+    localparam int unsigned QUEUE_LOG2 =
+      EN_VPU_TOPOLOGY ? $clog2(2 * LATENCY + 48) + 3 : $clog2(LATENCY + 60);
+    logic voxel_taken;
+    assign voxel_taken = (item_valid && item_ready && item_resolve) ||
+                         (topology_item_valid && topology_item_ready && topology_kind == gnomon_pkg::ITEM_BEAM);
+    frame #(
+      .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .LAYERS_LOG2(FRAME_LAYERS_LOG2),
+      .QUEUE_LOG2(QUEUE_LOG2), .MEM_LATENCY(LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
+    ) u_frame (
+      .clk_i, .rst_ni, .start_i(frame_start), .word_i(word), .item_valid_i(frame_item_valid),
+      .item_ready_o(frame_item_ready), .item_last_i(frame_item_last), .voxel_valid_i(voxel_taken),
+      .voxel_ready_o(frame_room), .state_valid_i(state_valid), .state_ready_o(state_ready),
+      .state_i(state_word[gnomon_pkg::STATE_LSB+:2]), .told_valid_o(told_valid), .told_ready_i(result_ready),
+      .result_valid_o(frame_valid), .result_ready_i(result_ready), .result_o(frame_result), .idle_o(frame_idle),
+      .step_o(frame_step), .wait_o(frame_wait), .events_o(frame_events)
+    );
+  end else begin : gen_no_frame
+    assign frame_item_ready = 1'b1;
+    assign frame_room       = 1'b1;
+    assign state_ready      = result_ready;
+    assign told_valid       = state_valid;
+    assign frame_valid      = 1'b0;
+    assign frame_result     = '0;
+    assign frame_idle       = 1'b1;
+    assign frame_step       = 1'b0;
+    assign frame_wait       = 1'b0;
+    assign frame_events     = '0;
+    logic unused_frame;
+    assign unused_frame = ^{frame_start, frame_item_valid, frame_item_last};
   end
 
   if (EN_SLB) begin : gen_slb
@@ -258,7 +314,7 @@ module gnomon_top #(
     .entry0_i(entry0), .entry0_tag_i(entry0_tag),
     .read1_valid_o(read1_valid), .read1_ready_i(read1_ready), .read1_index_o(read1_index), .read1_tag_o(read1_tag),
     .entry1_valid_i(entry1_valid), .entry1_ready_o(entry1_ready), .entry1_i(entry1), .entry1_tag_i(entry1_tag),
-    .result_valid_o(vpu_valid), .result_ready_i(result_ready), .result_o(vpu_result),
+    .result_valid_o(vpu_valid), .result_ready_i(state_ready), .result_o(vpu_result),
     .projected_o(events.voxel_projected), .off_plane_o(off_plane), .saturated_o(saturated)
   );
 
@@ -327,18 +383,18 @@ module gnomon_top #(
   );
 
   // ---- Results: a change of kind is a barrier, so that one source speaks at a time and command order is kept ----
-  assign result_valid = decoder_valid || reader_valid || topology_valid || slb_valid || vpu_valid;
+  assign result_valid = decoder_valid || reader_valid || frame_valid || slb_valid || told_valid;
   always_comb begin
-    if (decoder_valid)       result = decoder_result;
-    else if (reader_valid)   result = reader_result;
-    else if (topology_valid) result = topology_result;
-    else if (slb_valid)      result = slb_result;
-    else                     result = vpu_result;
+    if (decoder_valid)     result = decoder_result;
+    else if (reader_valid) result = reader_result;
+    else if (frame_valid)  result = frame_result;
+    else if (slb_valid)    result = slb_result;
+    else                   result = state_word;
   end
 
   // ---- Counters ----
   logic vpu_given;
-  assign vpu_given                    = vpu_valid && result_ready;
+  assign vpu_given                    = vpu_valid && state_ready;
   assign events.project_off_plane     = off_plane;
   assign events.project_saturated     = saturated;
   assign events.voxel_resolved        = vpu_given;
@@ -346,13 +402,15 @@ module gnomon_top #(
   assign events.resolved_uncertain    = vpu_given && vpu_result.uncertain;
   assign events.resolved_offset_empty = vpu_given && vpu_result.offset_empty;
   assign events.resolved_shadow       = vpu_given && vpu_result.state == gnomon_pkg::STATE_SHADOW;
-  counters #(.EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_SLB(EN_SLB)) u_counters (
-    .clk_i, .rst_ni, .events_i(events), .topology_events_i(topology_events), .slb_events_i(slb_events),
-    .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
+  counters #(
+    .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB)
+  ) u_counters (
+    .clk_i, .rst_ni, .events_i(events), .topology_events_i(topology_events), .frame_events_i(frame_events),
+    .slb_events_i(slb_events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
   );
 
-  `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(topology_valid) + 3'(slb_valid) +
-                 3'(vpu_valid) <= 3'd1)
+  `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(topology_valid) + 3'(frame_valid) +
+                 3'(slb_valid) + 3'(vpu_valid) <= 3'd1)
   `GNOMON_ASSERT(a_write_while_idle, !register_write || (vpu_idle && topology_idle))
   `GNOMON_ASSERT(a_reader_alone, !reader_busy || (reading && vpu_idle))
   `GNOMON_ASSERT_STREAM(a_result_stable, res_valid_o, res_ready_i, res_data_o)

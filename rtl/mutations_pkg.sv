@@ -53,6 +53,26 @@ package mutations_pkg;
 `else
   localparam bit SKID_OVERRUN = 1'b0;
 `endif
+`ifdef GNOMON_MUTATE_FRAME_FIRST_STATE
+  localparam bit FRAME_FIRST_STATE = 1'b1;  // the first state of a voxel counts instead of the last
+`else
+  localparam bit FRAME_FIRST_STATE = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_FRAME_KEEP_AGAIN
+  localparam bit FRAME_KEEP_AGAIN = 1'b1;  // a state is kept again while its word waits to be told
+`else
+  localparam bit FRAME_KEEP_AGAIN = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_FRAME_LAYER_ZERO
+  localparam bit FRAME_LAYER_ZERO = 1'b1;  // states are kept in layer 0, whatever the command says
+`else
+  localparam bit FRAME_LAYER_ZERO = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_FRAME_SHARE_WORDS
+  localparam bit FRAME_SHARE_WORDS = 1'b1;  // states of two lookup commands may share a word
+`else
+  localparam bit FRAME_SHARE_WORDS = 1'b0;
+`endif
 `ifdef GNOMON_MUTATE_SLB_AT_RUN
   // The front end of the silhouette-line buffer.
   bit SLB_NO_ADJUST       = $test$plusargs("SLB_NO_ADJUST") != 0;        // rising through a corner, an edge crosses y first

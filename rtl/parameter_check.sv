@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md, docs/vpu-topology.md
-// and docs/slb.md, "Parameters"); those of topology mode and of the silhouette-line buffer only where they are built.
+// Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md, docs/vpu-topology.md,
+// docs/frame-buffer.md and docs/slb.md, "Parameters"); those of a unit that can be left out only where it is built.
 
 module parameter_check #(
   parameter int unsigned VOXEL_BITS       = 8,
@@ -14,6 +14,8 @@ module parameter_check #(
   parameter int unsigned SPAN_LOG2        = 4,
   parameter int unsigned NODES_LOG2       = 20,
   parameter int unsigned QUADS_LOG2       = 18,
+  parameter bit          EN_FRAME_BUFFER  = 1'b0,
+  parameter int unsigned FRAME_LAYERS_LOG2 = 0,
   parameter bit          EN_SLB           = 1'b0,
   parameter int unsigned SLB_PLANE_LOG2   = 8,
   parameter int unsigned FRAC_BITS        = 7,
@@ -61,6 +63,13 @@ module parameter_check #(
       $error("NODES_LOG2 is out of range 4..24");
     if (QUADS_LOG2 < 4 || QUADS_LOG2 > 24)
       $error("QUADS_LOG2 is out of range 4..24");
+  end
+
+  if (EN_FRAME_BUFFER) begin : gen_frame
+    if (FRAME_LAYERS_LOG2 > 3)
+      $error("FRAME_LAYERS_LOG2 is out of range 0..3");
+    if (3 * VOXEL_BITS + FRAME_LAYERS_LOG2 + 1 > 34)
+      $error("3 VOXEL_BITS + FRAME_LAYERS_LOG2 + 1 is above 34: more than 2 GiB of states");
   end
 
   if (EN_SLB) begin : gen_slb

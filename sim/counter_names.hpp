@@ -58,6 +58,11 @@ inline constexpr std::array<std::string_view, 7> kPerspectiveEventNames{
     "PROJECT_BEHIND",   "RESOLVED_BEHIND", "RESOLVED_OUTSIDE_CONE", "QUADS_BEHIND",
     "QUADS_STRADDLING", "TOPOLOGY_BEHIND", "TOPOLOGY_OUTSIDE_CONE"};
 
+/// Event counters of the frame buffer: index kFirstFrameCounter + number here; 0 in hardware without.
+inline constexpr std::uint32_t kFirstFrameCounter = 128;
+inline constexpr std::array<std::string_view, 5> kFrameEventNames{
+    "FRAME_KEPT", "FRAME_OVERWRITTEN", "FRAME_LOOKUPS", "FRAME_LOOKUPS_EMPTY", "FRAME_BRICKS"};
+
 /// Cycle counters: index kFirstCycleCounter + kCauses * pass + cause.
 inline constexpr std::uint32_t kFirstCycleCounter = 64;
 inline constexpr std::array<std::string_view, 10> kPassNames{"IDLE", "CONTROL", "CLEAR", "PROJECT", "RESOLVE",

@@ -31,6 +31,10 @@ Parameters parameters(const golden::HardwareConfig& config) {
                               {"QUADS_LOG2", config.quads_log2}};
     list.insert(list.end(), topology.begin(), topology.end());
   }
+  if (config.en_frame_buffer) {
+    list.emplace_back("EN_FRAME_BUFFER", 1);
+    list.emplace_back("FRAME_LAYERS_LOG2", config.frame_layers_log2);
+  }
   if (!config.en_slb) return list;
   const Parameters slb{{"EN_SLB", 1},
                        {"SLB_PLANE_LOG2", config.slb_plane_log2},

@@ -39,8 +39,8 @@ GnomonModelStalls stalls_of(const StallProfile& profile) {
 }
 
 /// Longest time without a word moving in sound hardware: the clear of the larger plane, 16 entries a cycle,
-/// a fill of all its rows with lines everywhere, quads as large as the plane, or a list of all nodes; a port
-/// that is rarely open.
+/// a fill of all its rows with lines everywhere, quads as large as the plane, a list of all nodes, or the
+/// clear of the frame buffer, 16 bricks a cycle; a port that is rarely open.
 std::uint64_t default_hang_cycles(const golden::HardwareConfig& config, const StallProfile& stalls) {
   const int plane_log2 =
       config.en_slb ? std::max(config.plane_log2, config.slb_plane_log2) : config.plane_log2;
@@ -50,7 +50,9 @@ std::uint64_t default_hang_cycles(const golden::HardwareConfig& config, const St
   const std::uint64_t fill = config.en_slb ? std::uint64_t{4} << (2 * config.slb_plane_log2) : 0;
   const std::uint64_t lists =
       config.en_vpu_topology ? 32 * side * side + (std::uint64_t{32} << config.nodes_log2) : 0;
-  return 20'000 + side * side / 8 + fill + lists + 2'000 * longest_block;
+  const int lines_log2 = 3 * config.voxel_bits - 10 + config.frame_layers_log2;
+  const std::uint64_t frame = config.en_frame_buffer ? std::uint64_t{2} << lines_log2 : 0;
+  return 20'000 + side * side / 8 + fill + lists + frame + 2'000 * longest_block;
 }
 
 bool ended(int stop) {
@@ -108,6 +110,8 @@ class RtlEngineImpl final : public RtlEngine {
       counters.events[std::string(kSlbEventNames[i])] = counter(kFirstSlbCounter + i);
     for (std::uint32_t i = 0; config_.en_vpu_topology && i < kTopologyEventNames.size(); ++i)
       counters.events[std::string(kTopologyEventNames[i])] = counter(kFirstTopologyCounter + i);
+    for (std::uint32_t i = 0; config_.en_frame_buffer && i < kFrameEventNames.size(); ++i)
+      counters.events[std::string(kFrameEventNames[i])] = counter(kFirstFrameCounter + i);
     for (std::size_t pass = 0; pass < kPassNames.size(); ++pass) {
       for (std::size_t cause = 0; cause < kCauseNames.size(); ++cause) {
         counters.cycles[cycle_counter_name(pass, cause)] = counter(cycle_counter_index(pass, cause));

@@ -8,6 +8,8 @@ module command_decoder #(
   parameter int unsigned PLANE_LOG2      = 9,
   parameter bit          EN_VPU_OFFSET   = 1'b1,
   parameter bit          EN_VPU_TOPOLOGY = 1'b0,
+  parameter bit          EN_FRAME_BUFFER = 1'b0,
+  parameter int unsigned FRAME_LAYERS_LOG2 = 0,
   parameter bit          EN_SLB          = 1'b0,
   parameter int unsigned SLB_PLANE_LOG2  = 8
 ) (
@@ -32,6 +34,14 @@ module command_decoder #(
   input  logic                                       topology_idle_i,
   input  logic                                       topology_step_i,   // it did one step
   input  logic                                       topology_wait_i,   // it waits for its memories
+  // Frame buffer.
+  output logic                                       frame_start_o,      // a good command of its own, or a resolve command
+  output logic                                       frame_item_valid_o, // item of LOOKUP_FRAME: word_i
+  input  logic                                       frame_item_ready_i,
+  output logic                                       frame_item_last_o,  // of its command
+  input  logic                                       frame_idle_i,
+  input  logic                                       frame_step_i,     // it did one step
+  input  logic                                       frame_wait_i,     // it waits for its memory
   // Silhouette-line buffer.
   output logic                                       slb_start_o,      // a good command of its own is taken: word_i
   output logic                                       slb_item_valid_o, // item of that command: word_i
@@ -77,7 +87,7 @@ module command_decoder #(
   typedef enum logic [3:0] {
     StHeader, StItems, StSkip, StResult, StClear, StScrub, StRead,
     StClose,  // the end of a loop is handed over
-    StUnit    // topology mode or the silhouette-line buffer clears, fills or reads
+    StUnit    // topology mode, the frame buffer or the silhouette-line buffer clears, fills or reads
   } state_e;
 
   state_e              state_q, state_d;
@@ -90,7 +100,8 @@ module command_decoder #(
 
   logic allowed, good, take_header;
   command_check #(
-    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_SLB(EN_SLB),
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
+    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB),
     .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_check (.header_i(header), .allowed_i(allowed), .error_o(error));
   assign good = error == gnomon_pkg::ERROR_NONE;
@@ -98,23 +109,25 @@ module command_decoder #(
 
   // ---- Headers: a barrier unless the same pass goes on ----
   logic units_idle, drained, streams, same_pass;
-  assign units_idle  = topology_idle_i && slb_idle_i;
+  assign units_idle  = topology_idle_i && frame_idle_i && slb_idle_i;
   assign drained     = vpu_idle_i && plane_idle_i && units_idle;
   assign streams     = header.op == gnomon_pkg::OP_PROJECT_VOXELS || header.op == gnomon_pkg::OP_RESOLVE_VOXELS ||
                        header.op == gnomon_pkg::OP_PUT_QUADS || header.op == gnomon_pkg::OP_RESOLVE_TOPOLOGY ||
                        header.op == gnomon_pkg::OP_LOOP || header.op == gnomon_pkg::OP_COVER ||
-                       header.op == gnomon_pkg::OP_QUERY;
+                       header.op == gnomon_pkg::OP_QUERY || header.op == gnomon_pkg::OP_LOOKUP_FRAME;
   assign same_pass   = good && streams && header.op == command_q.op;
   assign take_header = state_q == StHeader && word_valid_i && (drained || same_pass || mutations_pkg::SKIP_BARRIER);
 
   // ---- Items ----
-  logic to_vpu, to_topology, to_registers, to_slb, item_free, take_item, last_item;
+  logic to_vpu, to_topology, to_registers, to_frame, to_slb, item_free, take_item, last_item;
   assign to_registers = state_q == StItems && command_q.op == gnomon_pkg::OP_SET_REGISTERS;
   assign to_slb       = state_q == StItems && gnomon_pkg::is_slb_op(command_q.op);
   assign to_topology  = state_q == StItems && gnomon_pkg::is_topology_op(command_q.op);
-  assign to_vpu       = state_q == StItems && !to_registers && !to_slb && !to_topology;
+  assign to_frame     = state_q == StItems && gnomon_pkg::is_frame_op(command_q.op);
+  assign to_vpu       = state_q == StItems && !to_registers && !to_slb && !to_topology && !to_frame;
   assign item_free    = state_q == StSkip || to_registers || (to_vpu && item_ready_i) ||
-                        (to_topology && topology_item_ready_i) || (to_slb && slb_item_ready_i);
+                        (to_topology && topology_item_ready_i) || (to_frame && frame_item_ready_i) ||
+                        (to_slb && slb_item_ready_i);
   assign take_item    = word_valid_i && item_free;
   assign last_item    = take_item && command_q.count == 16'd1;
   assign word_ready_o = take_header || take_item;
@@ -127,6 +140,11 @@ module command_decoder #(
 
   assign topology_start_o      = take_header && good && gnomon_pkg::is_topology_op(header.op);
   assign topology_item_valid_o = to_topology && word_valid_i;
+
+  assign frame_start_o      = take_header && good &&
+                              (gnomon_pkg::is_frame_op(header.op) || gnomon_pkg::is_resolve_op(header.op));
+  assign frame_item_valid_o = to_frame && word_valid_i;
+  assign frame_item_last_o  = command_q.count == 16'd1;
 
   assign slb_start_o       = take_header && good && gnomon_pkg::is_slb_op(header.op);
   assign slb_item_valid_o  = to_slb && word_valid_i;
@@ -176,7 +194,7 @@ module command_decoder #(
               gnomon_pkg::OP_CLEAR_PLANE: state_d = StClear;
               gnomon_pkg::OP_FENCE:       state_d = StResult;
               gnomon_pkg::OP_READ_PLANE:  state_d = StRead;
-              gnomon_pkg::OP_CLEAR_LISTS, gnomon_pkg::OP_READ_LISTS,
+              gnomon_pkg::OP_CLEAR_LISTS, gnomon_pkg::OP_READ_LISTS, gnomon_pkg::OP_CLEAR_FRAME,
               gnomon_pkg::OP_SLB_CLEAR, gnomon_pkg::OP_FILL, gnomon_pkg::OP_READ_ENTRIES: state_d = StUnit;
               gnomon_pkg::OP_NOP:         state_d = (header.count == '0) ? StHeader : StSkip;
               default: begin
@@ -244,8 +262,8 @@ module command_decoder #(
 
   // ---- Accounting ----
   logic stepped, starved, unit_step, unit_wait;
-  assign unit_step = topology_step_i || slb_step_i;
-  assign unit_wait = topology_wait_i || slb_wait_i;
+  assign unit_step = topology_step_i || frame_step_i || slb_step_i;
+  assign unit_wait = topology_wait_i || frame_wait_i || slb_wait_i;
   always_comb begin
     case (state_q)
       StHeader:        stepped = take_header || unit_step;
@@ -261,7 +279,8 @@ module command_decoder #(
   // Where another word would have been taken: the pipelines are not held up. Topology mode and the silhouette-line buffer
   // say themselves what they wait for.
   always_comb begin
-    if ((gnomon_pkg::is_slb_op(command_q.op) || gnomon_pkg::is_topology_op(command_q.op)) && state_q != StUnit)
+    if ((gnomon_pkg::is_slb_op(command_q.op) || gnomon_pkg::is_topology_op(command_q.op) ||
+         gnomon_pkg::is_frame_op(command_q.op)) && state_q != StUnit)
       starved = !unit_wait;
     else starved = item_free || (state_q == StHeader && item_ready_i);
   end
@@ -273,6 +292,7 @@ module command_decoder #(
 
   `GNOMON_ASSERT_STREAM(a_item_stable, item_valid_o, item_ready_i, {word_i, item_resolve_o, item_two_sided_o})
   `GNOMON_ASSERT_STREAM(a_topology_item_stable, topology_item_valid_o, topology_item_ready_i, word_i)
+  `GNOMON_ASSERT_STREAM(a_frame_item_stable, frame_item_valid_o, frame_item_ready_i, {word_i, frame_item_last_o})
   `GNOMON_ASSERT_STREAM(a_slb_item_stable, slb_item_valid_o, slb_item_ready_i, word_i)
   `GNOMON_ASSERT_STREAM(a_result_stable, result_valid_o, result_ready_i, result_o)
   `GNOMON_ASSERT(a_register_exists, !register_write_o || command_q.arg < 32'(gnomon_pkg::REGISTER_COUNT))

@@ -21,9 +21,9 @@ module cycle_account (
     end else begin
       case (op_i)
         gnomon_pkg::OP_CLEAR_PLANE, gnomon_pkg::OP_CLEAR_LISTS,
-        gnomon_pkg::OP_SLB_CLEAR:                                 pass_o = gnomon_pkg::PASS_CLEAR;
+        gnomon_pkg::OP_CLEAR_FRAME, gnomon_pkg::OP_SLB_CLEAR:     pass_o = gnomon_pkg::PASS_CLEAR;
         gnomon_pkg::OP_READ_PLANE, gnomon_pkg::OP_READ_LISTS,
-        gnomon_pkg::OP_READ_ENTRIES:                              pass_o = gnomon_pkg::PASS_READ;
+        gnomon_pkg::OP_READ_ENTRIES, gnomon_pkg::OP_LOOKUP_FRAME: pass_o = gnomon_pkg::PASS_READ;
         gnomon_pkg::OP_PROJECT_VOXELS, gnomon_pkg::OP_PUT_QUADS:  pass_o = gnomon_pkg::PASS_PROJECT;
         gnomon_pkg::OP_RESOLVE_VOXELS,
         gnomon_pkg::OP_RESOLVE_TOPOLOGY:                          pass_o = gnomon_pkg::PASS_RESOLVE;

@@ -176,16 +176,16 @@ module topology #(
 
   // ---- Memories ----
   logic scrubbing, heads_idle, nodes_idle, records_idle;
-  topology_heads #(
-    .INDEX_BITS(INDEX), .HEAD_BITS(HEAD), .OPERAND_BITS(NODE), .TAG_BITS(HEAD_TAG), .READ_LATENCY(MEM_LATENCY),
+  entry_memory #(
+    .INDEX_BITS(INDEX), .ENTRY_BITS(HEAD), .OPERAND_BITS(NODE), .TAG_BITS(HEAD_TAG), .READ_LATENCY(MEM_LATENCY),
     .STALL_SEED(MEM_STALL_SEED)
   ) u_heads (
     .clk_i, .rst_ni, .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),
     .update_operand_i(update_operand), .modify_valid_o(modify_valid), .modify_present_o(modify_present),
-    .modify_head_o(modify_head), .modify_operand_o(modify_operand), .modify_head_i(new_head),
+    .modify_entry_o(modify_head), .modify_operand_o(modify_operand), .modify_entry_i(new_head),
     .read_valid_i(read_valid), .read_ready_o(read_ready), .read_index_i(read_index),
-    .read_tag_i(reader_busy ? reader_tag : ask_tag), .head_valid_o(head_valid), .head_ready_i(head_ready),
-    .head_present_o(head_present), .head_o(head), .head_tag_o(head_tag), .clear_i(clear_start),
+    .read_tag_i(reader_busy ? reader_tag : ask_tag), .entry_valid_o(head_valid), .entry_ready_i(head_ready),
+    .entry_present_o(head_present), .entry_o(head), .entry_tag_o(head_tag), .clear_i(clear_start),
     .scrubbing_o(scrubbing), .idle_o(heads_idle)
   );
   topology_store #(

@@ -134,7 +134,7 @@ class Model {
 
   uint64_t counter(uint32_t index) {
     enter();
-    top_->counter_index_i = static_cast<CData>(index & 127);
+    top_->counter_index_i = static_cast<CData>(index & 255);
     top_->eval();
     return top_->counter_value_o;
   }

@@ -173,6 +173,19 @@ TEST(Covering, EveryPairOfValuesThatSomeBuildHas) {
   EXPECT_GE(pairs(half, slb).size() * 10, pairs(ordered, slb).size() * 7);
 }
 
+TEST(Covering, EveryPairOfValuesOfTheFrameBuffer) {
+  const auto values = [](const HardwareConfig& c) {
+    return std::array<int, 4>{c.voxel_bits, c.voxel_frac_bits, c.frame_layers_log2,
+                              2 * c.en_vpu_topology + c.en_vpu_offset};
+  };
+  const auto configs = stimulus::frame_covering_array();
+  EXPECT_EQ(pairs(configs, values).size(), 6u * 9u);  // six pairs of parameters, three values each
+  for (const HardwareConfig& config : configs) {
+    EXPECT_EQ(config.check(), std::nullopt);
+    EXPECT_TRUE(config.en_frame_buffer);
+  }
+}
+
 TEST(Covering, LargePlanesOfTheSilhouetteLineBuffer) {
   int plane_log2 = 9;
   for (const HardwareConfig& config : stimulus::large_slb_configs()) {

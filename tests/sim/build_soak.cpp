@@ -37,6 +37,7 @@ std::vector<Build> builds() {
     static constexpr std::array kLatencies{1, 2, 3, 5, 17, 64};
     stimulus::Random random(1000 + result.size());
     RtlOptions options = Cosim::checked();
+    options.quick_build = true;
     options.memory_latency = random.pick(std::span<const int>(kLatencies));
     options.memory_stall_seed = random.chance(60) ? static_cast<int>(random.between(1, 65535)) : 0;
     options.slb_dividers = static_cast<int>(random.between(1, 3));
@@ -70,7 +71,7 @@ stimulus::DirectedStream joined(const Streams& streams) {
 Streams streams_for(const HardwareConfig& config) {
   Streams streams = stimulus::directed_streams(config);
   const bool large = is_large(config);
-  for (std::uint64_t seed = 1; seed <= (large ? 2 : 18); ++seed)
+  for (std::uint64_t seed = 1; seed <= (large ? 2 : kStallProfiles); ++seed)
     streams.push_back(random_case(config, seed, 300));
   if (!large) return streams;
   return {joined(streams)};

@@ -26,6 +26,7 @@ golden::HardwareConfig config() {
 RtlOptions mutated(const std::string& fault) {
   RtlOptions options;
   options.defines = {"GNOMON_MUTATE_" + fault};
+  options.quick_build = true;
   options.stalls = stall_profile(3, 3);
   return options;
 }

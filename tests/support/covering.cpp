@@ -4,6 +4,7 @@
 #include "tests/support/covering.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <set>
@@ -184,6 +185,27 @@ Configs slb_covering_array() {
     std::erase(left, ordered.back());
   }
   return ordered;
+}
+
+/// The orthogonal array of four parameters with three values each: column c of row 3 i + j is i, j, i + j or
+/// i + 2 j, modulo 3.
+Configs frame_covering_array() {
+  constexpr std::array kVoxelBits{4, 5, 7}, kFractionBits{0, 2, 6}, kLayers{0, 1, 3};
+  Configs configs;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t modes = (i + 2 * j) % 3;  // offset, topology, both
+      HardwareConfig config{.plane_log2 = 4, .nodes_log2 = 10, .quads_log2 = 8, .en_frame_buffer = true};
+      config.voxel_bits = kVoxelBits.at(i);
+      config.voxel_frac_bits = kFractionBits.at(j);
+      config.normal_bits = 7;
+      config.frame_layers_log2 = kLayers.at((i + j) % 3);
+      config.en_vpu_offset = modes != 1;
+      config.en_vpu_topology = modes != 0;
+      configs.push_back(config);
+    }
+  }
+  return configs;
 }
 
 Configs large_slb_configs() {

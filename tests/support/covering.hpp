@@ -19,6 +19,9 @@ std::vector<golden::HardwareConfig> slb_covering_array();
 /// high.
 std::vector<golden::HardwareConfig> large_slb_configs();
 
+/// Hardware with the frame buffer: every pair of grid size, fraction bits, layers and modes, in nine builds.
+std::vector<golden::HardwareConfig> frame_covering_array();
+
 /// Every legal build of the projection unit with the values above, without the silhouette-line buffer.
 std::vector<golden::HardwareConfig> corner_configs();
 /// Every legal silhouette-line buffer with the values above, beside a default projection unit of that depth.

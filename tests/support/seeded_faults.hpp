@@ -26,8 +26,13 @@ inline constexpr std::array<std::string_view, 13> kSlbFaults{
     "SLB_LOSE_CARRY",    "SLB_KEEP_LINES",    "SLB_COVER_ALL_ROWS", "SLB_LAST_OBJECT", "SLB_OPEN_HALF_PLANE",
     "NO_FORWARDING",     "KEEP_GENERATION",   "SKIP_BARRIER"};
 
+/// The frame buffer's and one of the memory below it, each a build of its own:
+/// tests/sim/frame_cosim_test.cpp.
+inline constexpr std::array<std::string_view, 5> kFrameFaults{
+    "FRAME_FIRST_STATE", "FRAME_KEEP_AGAIN", "FRAME_LAYER_ZERO", "FRAME_SHARE_WORDS", "NO_FORWARDING"};
+
 /// All of them. A fault may stand in several.
-inline constexpr std::array<std::span<const std::string_view>, 3> kFaultLists{kBuiltInFaults,
-                                                                              kSlbOutlineFaults, kSlbFaults};
+inline constexpr std::array<std::span<const std::string_view>, 4> kFaultLists{
+    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kFrameFaults};
 
 }  // namespace gnomon::stimulus
