@@ -41,13 +41,13 @@ LightScale::Axis LightScale::axis_for(const Vec3& ray) const {
   return {axis, std::max(least_cosine_, ray.dot(axis) / std::max(kLeastDistance, ray.length()))};
 }
 
-double LightScale::area(const Vec3& across, const Vec3& p) const {
-  if (directional_) return std::abs(across.dot(way_));
+double LightScale::area(const Vec3& across, double parts, const Vec3& p) const {
+  if (directional_) return std::abs(across.dot(way_)) / parts;
   const Vec3 ray = p - position_;
   const double distance = std::max(kLeastDistance, ray.length());
   const double cosine = axis_for(ray).cosine;
   const double angle = std::abs(across.dot(ray)) / (distance * distance * distance);
-  return std::min(largest_area_, angle / (cosine * cosine * cosine));
+  return std::min(largest_area_, angle / (cosine * cosine * cosine) / parts);
 }
 
 double LightScale::length(const Vec3& a, const Vec3& b) const {

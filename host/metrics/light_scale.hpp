@@ -15,8 +15,9 @@ class LightScale {
  public:
   explicit LightScale(const Light& light);
 
-  /// Of a small piece of surface at p; `across` is perpendicular to it and as long as it is large (du x dv).
-  double area(const Vec3& across, const Vec3& p) const;
+  /// Of one of `parts` equal pieces of surface, at p; `across` is perpendicular to them and as long as they
+  /// are large together (du x dv).
+  double area(const Vec3& across, double parts, const Vec3& p) const;
   /// Of a short line. It is measured on the plane that its middle lies on.
   double length(const Vec3& a, const Vec3& b) const;
 

@@ -28,7 +28,7 @@ class Sampler {
     const auto [u, v] = sample_parameter(grid, i, j);
     const surface::SurfacePoint p = surface.evaluate(grid.face, u, v);
     const Vec3 across = p.du.cross(p.dv);
-    const double area = scale_.area(across, p.position) / (double{1} * grid.nu * grid.nv);
+    const double area = scale_.area(across, double{1} * grid.nu * grid.nv, p.position);
     const SurfaceQuery query{p.position, surface.normal(grid.face, u, v), grid.object};
     SurfaceSample sample{};
     sample.x = static_cast<float>(p.position.x);

@@ -5,30 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "tests/host/metrics/fixtures.hpp"
+#include "tests/host/metrics/known_shapes.hpp"
 
 namespace gnomon::metrics {
 namespace {
 
 const std::vector<Vec3> kLights = {{0, 0, -1},  {1, 0, 0},     {0.3, -0.8, -0.5},
                                    {-1, 2, -3}, {1, 1, -0.05}, {0.02, 1, 0.03}};
-
-std::vector<SurfaceQuery> random_points(const surface::LimitSurface& surface, std::size_t count,
-                                        std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::uniform_int_distribution<std::uint32_t> face(0, surface.face_count() - 1);
-  std::vector<SurfaceQuery> points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t f = face(random);
-    const double u = unit(random);
-    const double v = unit(random);
-    points.push_back({surface.position(f, u, v), surface.normal(f, u, v), 0});
-  }
-  return points;
-}
 
 TEST(ExactReference, AConvexSurfaceCastsNothingOnItself) {
   for (const bool sharp : {false, true}) {
@@ -48,29 +33,6 @@ TEST(ExactReference, AConvexSurfaceCastsNothingOnItself) {
     EXPECT_EQ(compared, 120000u);
     EXPECT_EQ(wrong, 0u);
   }
-}
-
-/// Distance to a torus around the z axis; never more than the true one.
-double torus_distance(const Vec3& p, double major, double minor) {
-  return std::hypot(std::hypot(p.x, p.y) - major, p.z) - minor;
-}
-
-/// Smallest distance between the torus and the ray from a point on it, once it has left the surface it starts
-/// on.
-double clearance(const Vec3& start, const Vec3& direction, double major, double minor) {
-  double nearest = 1e9;
-  double before = 0;
-  bool leaving = true;
-  double t = 0;
-  while (t < 300) {
-    t += 0.02;
-    const double distance = torus_distance(start + direction * t, major, minor);
-    leaving = leaving && distance > before;
-    if (!leaving) nearest = std::min(nearest, distance);
-    before = distance;
-    if (distance > 10) t += distance - 10;
-  }
-  return nearest;
 }
 
 TEST(ExactReference, ATorusCastsItsKnownShadowOnItself) {
@@ -101,23 +63,6 @@ TEST(ExactReference, ATorusCastsItsKnownShadowOnItself) {
   EXPECT_GT(compared, 2700u);
   EXPECT_GT(cast, 300u);
   EXPECT_EQ(wrong, 0u);
-}
-
-/// Does the ray from `p` meet the box? By slabs, exactly.
-bool meets_box(const Vec3& p, const Vec3& direction, const Box3& box) {
-  double enter = 0;
-  double leave = 1e9;
-  for (int k = 0; k < 3; ++k) {
-    if (direction[k] == 0) {
-      if (p[k] < box.min[k] || p[k] > box.max[k]) return false;
-      continue;
-    }
-    const double a = (box.min[k] - p[k]) / direction[k];
-    const double b = (box.max[k] - p[k]) / direction[k];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  return enter < leave;
 }
 
 TEST(ExactReference, ABoxShadesTheGroundWhereSlabsSaySo) {
