@@ -3,6 +3,7 @@
 #include "reference.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gnomon::test {
 namespace {
@@ -85,25 +86,34 @@ bool TopologyReference::Quad::linked_to(const Integer& u, const Integer& v) cons
   return meets(u, v) && (v - v0) * (u1 - u0 + 1) + (u - u0) < linked;
 }
 
-void TopologyReference::put(const std::array<topology::Item, 4>& items) {
+std::optional<Point> TopologyReference::place(const topology::Item& item) const {
+  if (light_) {
+    const exact::Sight sight = light_->see({item.position, item.normal});
+    if (sight.behind) return std::nullopt;
+    return Point{sight.fine[0], sight.fine[1], sight.key};
+  }
   const int f = config_.matrix_frac_bits, depth_bits = config_.position_bits() + 4;
+  const std::array<Rational, 3> at = {item.position[0], item.position[1], item.position[2]};
+  return Point{row(0, at, f) + Rational(registers_.matrix[3]) * power_of_two(-f),
+               row(4, at, f) + Rational(registers_.matrix[7]) * power_of_two(-f),
+               row(8, at, depth_bits) + Rational(registers_.matrix[11]) * power_of_two(-depth_bits)};
+}
+
+void TopologyReference::put(const std::array<topology::Item, 4>& items) {
   const Rational limit = power_of_two(config_.plane_log2 + 1);
   Quad quad{};
   quad.number = numbered_++;
   std::array<std::vector<Integer>, 2> entries;
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::array<Rational, 3> at = {items[i].position[0], items[i].position[1], items[i].position[2]};
+    const auto real = place(items[i]);
+    if (!real) return;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const Rational real =
-          row(4 * axis, at, f) + Rational(registers_.matrix[4 * axis + 3]) * power_of_two(-f);
-      const Rational held =
-          std::clamp(floor_to(real, config_.sub_bits), -limit, limit - power_of_two(-config_.sub_bits));
+      const Rational held = std::clamp(floor_to((*real)[axis], config_.sub_bits), -limit,
+                                       limit - power_of_two(-config_.sub_bits));
       quad.corners[i][axis] = held * power_of_two(config_.sub_bits);
       entries[axis].push_back(floor(held));
     }
-    const Rational depth =
-        row(8, at, depth_bits) + Rational(registers_.matrix[11]) * power_of_two(-depth_bits);
-    quad.corners[i][2] = saturated(Rational(floor(depth)));
+    quad.corners[i][2] = saturated(Rational(floor((*real)[2])));
     quad.far = std::max(quad.far, floor(quad.corners[i][2]));
   }
   const auto [u0, u1] = std::minmax_element(entries[0].begin(), entries[0].end());
@@ -142,35 +152,56 @@ std::vector<std::uint32_t> TopologyReference::list(std::int64_t u, std::int64_t 
   return numbers;
 }
 
-topology::TopologyResult TopologyReference::resolve(const topology::Item& voxel, bool two_sided,
-                                                    std::uint32_t clearance, bool sorted) const {
-  topology::TopologyResult result;
-  const int f = config_.matrix_frac_bits, p = config_.position_bits(), depth_bits = p + 4;
-  std::array<Rational, 3> at, normal;
-  for (std::size_t i = 0; i < 3; ++i) {
-    at[i] = voxel.position[i];
-    normal[i] = voxel.normal[i];
-  }
+/// `clearance` becomes 0: it is in the beam's depth.
+std::optional<Point> TopologyReference::beam_in_perspective(const topology::Item& voxel, bool two_sided,
+                                                            std::uint32_t clearance,
+                                                            topology::TopologyResult& result) const {
+  const golden::VoxelItem item{voxel.position, voxel.normal};
+  const exact::Sight sight = light_->see(item);
+  result.behind = sight.behind;
+  result.outside_cone = !sight.behind && light_->outside_cone(sight);
+  const Rational descent = light_->descent(item);
+  const bool reached = !result.behind && !result.outside_cone;
+  result.facing_away = reached && (descent == 0 || (descent > 0 && !two_sided));
+  if (!reached || result.facing_away) return std::nullopt;
+  const exact::Moved moved = light_->move(item, sight, descent > 0, clearance);
+  return Point{moved.fine[0], moved.fine[1], Rational(floor(moved.key))};
+}
+
+std::optional<Point> TopologyReference::beam(const topology::Item& voxel, bool two_sided,
+                                             std::uint32_t& clearance,
+                                             topology::TopologyResult& result) const {
+  if (light_) return beam_in_perspective(voxel, two_sided, std::exchange(clearance, 0), result);
+  const int f = config_.matrix_frac_bits, depth_bits = config_.position_bits() + 4;
+  std::array<Rational, 3> normal = {voxel.normal[0], voxel.normal[1], voxel.normal[2]};
   if (two_sided && row(8, normal, depth_bits) > 0)
     for (Rational& n : normal) n = -n;
   const Rational descent = row(8, normal, depth_bits);
-  if (descent >= 0) {
-    result.facing_away = result.shadow = true;
-    return result;
-  }
+  result.facing_away = descent >= 0;
+  if (result.facing_away) return std::nullopt;
   const Rational factor = Rational(registers_.offset_factor) * power_of_two(-16);
+  Point moved = *place(voxel);
+  for (std::size_t axis = 0; axis < 2; ++axis) moved[axis] += floor_to(factor * row(4 * axis, normal, f), f);
+  moved[2] = Rational(floor(floor_to(moved[2], 4) + floor_to(factor * floor_to(descent, 4), 4)));
+  return moved;
+}
+
+topology::TopologyResult TopologyReference::resolve(const topology::Item& voxel, bool two_sided,
+                                                    std::uint32_t clearance, bool sorted) const {
+  topology::TopologyResult result;
+  const auto moved = this->beam(voxel, two_sided, clearance, result);
+  result.shadow = !moved;
+  if (!moved) return result;
   Point beam;
   bool on_plane = true;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Rational real = row(4 * axis, at, f) + Rational(registers_.matrix[4 * axis + 3]) * power_of_two(-f);
-    const Rational moved = floor_to(real + floor_to(factor * row(4 * axis, normal, f), f), config_.sub_bits);
-    on_plane = on_plane && moved >= 0 && moved < config_.side();
-    beam[axis] = moved * power_of_two(config_.sub_bits);
+    const Rational held = floor_to((*moved)[axis], config_.sub_bits);
+    on_plane = on_plane && held >= 0 && held < config_.side();
+    beam[axis] = held * power_of_two(config_.sub_bits);
   }
   result.off_plane = !on_plane;
   if (!on_plane) return result;
-  const Rational depth = row(8, at, depth_bits) + Rational(registers_.matrix[11]) * power_of_two(-depth_bits);
-  beam[2] = saturated(Rational(floor(floor_to(depth, 4) + floor_to(factor * floor_to(descent, 4), 4))));
+  beam[2] = saturated((*moved)[2]);
 
   const Integer u = floor(beam[0] * power_of_two(-config_.sub_bits));
   const Integer v = floor(beam[1] * power_of_two(-config_.sub_bits));

@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "tests/golden/perspective_oracle.hpp"
+
 namespace gnomon::test {
 
 // Without expression templates: every intermediate result is a value of its own.
@@ -35,6 +37,9 @@ class TopologyReference {
   TopologyReference(const golden::topology::TopologyConfig& config,
                     const golden::topology::ProjectionRegisters& registers)
       : config_(config), registers_(registers) {}
+  /// In perspective: `light` knows the registers.
+  TopologyReference(const golden::topology::TopologyConfig& config, const exact::PerspectiveUnit& light)
+      : config_(config), light_(light) {}
 
   void put(const std::array<golden::topology::Item, 4>& corners);
   golden::topology::TopologyResult resolve(const golden::topology::Item& voxel, bool two_sided,
@@ -55,11 +60,20 @@ class TopologyReference {
     bool linked_to(const Integer& u, const Integer& v) const;
   };
 
+  /// Nothing behind the light.
+  std::optional<Point> place(const golden::topology::Item& item) const;
+  /// The beam of a voxel; nothing if `result` says why there is none.
+  std::optional<Point> beam(const golden::topology::Item& voxel, bool two_sided, std::uint32_t& clearance,
+                            golden::topology::TopologyResult& result) const;
+  std::optional<Point> beam_in_perspective(const golden::topology::Item& voxel, bool two_sided,
+                                           std::uint32_t clearance,
+                                           golden::topology::TopologyResult& result) const;
   Rational row(std::size_t first, const std::array<Rational, 3>& at, int fraction_bits) const;
   Rational saturated(const Rational& depth) const;
 
   TopologyConfig config_;
   golden::topology::ProjectionRegisters registers_;
+  std::optional<exact::PerspectiveUnit> light_;
   std::uint32_t numbered_ = 0;
   std::uint64_t nodes_ = 0;
   std::vector<Quad> quads_;
