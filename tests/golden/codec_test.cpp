@@ -52,6 +52,10 @@ TEST(Codec, VoxelResultFields) {
             0x1104000000000000u);
   EXPECT_EQ(encode(VoxelResult{.state = VoxelState::Empty, .beyond_max = true, .nearest = 0}),
             0x1102000000000000u);
+  EXPECT_EQ(encode(VoxelResult{.state = VoxelState::Empty, .outside_cone = true, .nearest = 0}),
+            0x1101000000000000u);
+  EXPECT_EQ(encode(VoxelResult{.state = VoxelState::Empty, .behind = true, .nearest = 0}),
+            0x1103000000000000u);
   EXPECT_EQ(encode(VoxelResult{.state = VoxelState::Empty, .nearest = 0xABCDEF}), 0x1100ABCDEF000000u);
   EXPECT_EQ(encode(VoxelResult{.state = VoxelState::Empty, .nearest = 0, .delta = 0xABCDEF}),
             0x1100000000ABCDEFu);
@@ -88,7 +92,7 @@ RC_GTEST_PROP(CodecProperty, VoxelItemsRoundTripInEveryBuild, (std::uint64_t bit
 
 RC_GTEST_PROP(CodecProperty, WordsRoundTrip, (std::uint64_t bits)) {
   constexpr Word kPayload = 0x00FFFFFFFFFFFFFF;
-  const Word voxel = 0x11ull << 56 | (bits & kPayload & ~(Word{1} << 48));
+  const Word voxel = 0x11ull << 56 | (bits & kPayload);
   const Word fence = 0x03ull << 56 | (bits & kPayload);
   const Word entry = 0x04ull << 56 | (bits & kPayload & ~(Word{0x7F} << 24));
   const Word error = 0xFFull << 56 | (bits & kPayload & ~(Word{0xFFFF} << 32));

@@ -42,6 +42,11 @@ TEST(Describe, VoxelStates) {
       "VOXEL_STATE shadow uncertain beyond_max nearest=17 delta=99");
   EXPECT_EQ(describe_result(encode(VoxelResult{.uncertain = true, .offset_empty = true, .nearest = 3})),
             "VOXEL_STATE lit uncertain offset_empty nearest=3 delta=0");
+  EXPECT_EQ(describe_result(encode(VoxelResult{.state = VoxelState::Shadow, .behind = true})),
+            "VOXEL_STATE shadow behind nearest=none delta=0");
+  EXPECT_EQ(describe_result(
+                encode(VoxelResult{.state = VoxelState::Shadow, .off_plane = true, .outside_cone = true})),
+            "VOXEL_STATE shadow off_plane outside_cone nearest=none delta=0");
 }
 
 TEST(Describe, OtherResults) {

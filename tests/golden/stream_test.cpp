@@ -33,8 +33,9 @@ std::string refusal(const HardwareConfig& config, Register reg, std::int64_t val
 }
 
 TEST(StreamWriter, RefusesRegisterValuesBeyondTheirWidthInEveryBuild) {
-  for (const HardwareConfig& config : stimulus::covering_array()) {
-    for (int i = 0; i < golden::kRegisterCount; ++i) {
+  for (HardwareConfig config : stimulus::covering_array()) {
+    config.en_perspective = true;
+    for (int i = 0; i < golden::kAllRegisterCount; ++i) {
       const auto reg = static_cast<Register>(i);
       const std::int64_t low = stimulus::register_min(reg, config),
                          high = stimulus::register_max(reg, config);
@@ -55,6 +56,21 @@ TEST(StreamWriter, RefusesMoreRegistersThanThereAre) {
   EXPECT_THROW(writer.set_registers(Register::MarginSquared, three), std::out_of_range);
   EXPECT_THROW(writer.read_plane(512 * 512 - 1, 2), std::out_of_range);
   EXPECT_TRUE(writer.words().empty());
+}
+
+/// In depth codes or in units of w, whichever projection was set last.
+TEST(StreamWriter, ClearanceFitsTheProjection) {
+  const HardwareConfig config{.depth_bits = 12, .en_perspective = true, .en_vpu_topology = true};
+  StreamWriter writer(config);
+  const std::vector<VoxelItem> one(1);
+  EXPECT_THROW(writer.resolve_topology(one, false, 1 << 12, false), std::out_of_range);
+  writer.set_register(Register::Projection, golden::kProjectionPerspective);
+  writer.resolve_topology(one, false, (1 << 24) - 1, false);
+  EXPECT_THROW(writer.resolve_topology(one, false, 1 << 24, false), std::out_of_range);
+  const std::vector<std::int64_t> all(golden::kAllRegisterCount, 0);
+  writer.set_registers(Register::MatrixUx, all);
+  EXPECT_THROW(writer.resolve_topology(one, false, 1 << 12, false), std::out_of_range);
+  writer.resolve_topology(one, false, (1 << 12) - 1, false);
 }
 
 TEST(StreamWriter, WordsOfEachCommand) {

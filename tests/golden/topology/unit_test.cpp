@@ -176,6 +176,11 @@ TEST(TopologyCodec, ResultBitsAreThoseOfThePage) {
   EXPECT_EQ(encode(TopologyResult{.off_plane = true}), Word{0x1450FFFFFF000000});
   EXPECT_EQ(encode(TopologyResult{.shadow = true, .uncertain = true, .fallback = true}),
             Word{0x148AFFFFFF000000});
+  const TopologyResult outside{.shadow = true, .outside_cone = true}, behind{.shadow = true, .behind = true};
+  EXPECT_EQ(encode(outside), Word{0x1481FFFFFF000000});
+  EXPECT_EQ(encode(behind), Word{0x1483FFFFFF000000});
+  for (const TopologyResult& unreached : {outside, behind})
+    EXPECT_EQ(decode_topology_result(encode(unreached)), unreached);
   const ListHeadResult head{.index = 0xABCDEF,
                             .head = {.present = true, .linked = true, .dropped = true, .near = 0x123456}};
   EXPECT_EQ(encode(head), Word{0x15ABCDEFE0123456});
