@@ -2,6 +2,7 @@
 // Event and cycle counters with one read port (docs/command-stream.md, "Counters"; indices in gnomon_pkg).
 
 module counters #(
+  parameter bit EN_PERSPECTIVE  = 1'b0,
   parameter bit EN_VPU_TOPOLOGY = 1'b0,
   parameter bit EN_FRAME_BUFFER = 1'b0,
   parameter bit EN_SLB          = 1'b0
@@ -9,6 +10,7 @@ module counters #(
   input  logic                           clk_i,
   input  logic                           rst_ni,
   input  gnomon_pkg::events_t            events_i,
+  input  gnomon_pkg::perspective_events_t perspective_events_i,
   input  topology_pkg::topology_events_t topology_events_i,
   input  frame_pkg::frame_events_t       frame_events_i,
   input  gnomon_pkg::slb_events_t        slb_events_i,
@@ -109,6 +111,28 @@ module counters #(
     assign topology_value  = '0;
   end
 
+  // ---- Events of the perspective projection: the first in the highest bit of the struct, the low bits of the values ----
+  logic [63:0] perspective_value;
+  if (EN_PERSPECTIVE) begin : gen_perspective
+    localparam int unsigned COUNT = gnomon_pkg::PERSPECTIVE_COUNTER_COUNT;
+    logic [COUNT-1:0]    perspective_events;
+    logic [COUNT*64-1:0] values_q;
+    logic [6:0]          number;
+    assign perspective_events = perspective_events_i;
+    assign number             = index - gnomon_pkg::COUNTER_PERSPECTIVE;
+    for (genvar i = 0; i < COUNT; i++) begin : gen_counters
+      always_ff @(posedge clk_i) begin
+        if (!rst_ni)                            values_q[i*64+:64] <= '0;
+        else if (perspective_events[COUNT-1-i]) values_q[i*64+:64] <= values_q[i*64+:64] + 64'd1;
+      end
+    end
+    assign perspective_value = (number < 7'(COUNT)) ? values_q[32'(number)*64+:64] : 64'd0;
+  end else begin : gen_no_perspective
+    logic unused_perspective;
+    assign unused_perspective = ^perspective_events_i;
+    assign perspective_value  = '0;
+  end
+
   // ---- Read port ----
   logic [6:0]           offset;
   logic [CELL_BITS-1:0] cell_read;
@@ -134,7 +158,7 @@ module counters #(
       gnomon_pkg::COUNTER_RESOLVED_SHADOW:       lower_value = shadow_q;
       gnomon_pkg::COUNTER_STICKY:                lower_value = 64'(sticky_i);
       default: begin
-        if (!is_cell)                   lower_value = slb_value | topology_value;  // at most one exists
+        if (!is_cell)                   lower_value = slb_value | topology_value | perspective_value;  // at most one exists
         else if (counted_q[cell_read])  lower_value = cycles_q[cell_read];
         else                            lower_value = '0;
       end

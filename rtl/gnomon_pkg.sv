@@ -68,7 +68,8 @@ package gnomon_pkg;
   endfunction
 
   // ---- Registers ----
-  localparam int unsigned REGISTER_COUNT      = 18;
+  localparam int unsigned REGISTER_COUNT      = 32;
+  localparam int unsigned PLAIN_REGISTERS     = 18;  // of hardware without EN_PERSPECTIVE
   localparam int unsigned REGISTER_INDEX_BITS = 5;
   localparam logic [4:0] REG_MATRIX_UX      = 5'd0;
   localparam logic [4:0] REG_MATRIX_UY      = 5'd1;
@@ -88,6 +89,20 @@ package gnomon_pkg;
   localparam logic [4:0] REG_DELTA_SHIFT    = 5'd15;
   localparam logic [4:0] REG_MARGIN_SQUARED = 5'd16;
   localparam logic [4:0] REG_DELTA_MAX      = 5'd17;
+  localparam logic [4:0] REG_PROJECTION     = 5'd18;
+  localparam logic [4:0] REG_MATRIX_WX      = 5'd19;
+  localparam logic [4:0] REG_MATRIX_WY      = 5'd20;
+  localparam logic [4:0] REG_MATRIX_WZ      = 5'd21;
+  localparam logic [4:0] REG_MATRIX_W1      = 5'd22;
+  localparam logic [4:0] REG_W_NEAR         = 5'd23;
+  localparam logic [4:0] REG_CENTRE_U       = 5'd24;
+  localparam logic [4:0] REG_CENTRE_V       = 5'd25;
+  localparam logic [4:0] REG_KEY_LIMIT      = 5'd26;
+  localparam logic [4:0] REG_KEY_SCALE      = 5'd27;
+  localparam logic [4:0] REG_LIGHT_X        = 5'd28;
+  localparam logic [4:0] REG_LIGHT_Y        = 5'd29;
+  localparam logic [4:0] REG_LIGHT_Z        = 5'd30;
+  localparam logic [4:0] REG_CONE_SQUARED   = 5'd31;
 
   // ---- Results ----
   localparam logic [7:0] RESULT_FENCE       = 8'h03;
@@ -118,7 +133,8 @@ package gnomon_pkg;
     logic       winding_saturated;
     logic       object_overflow;
     logic       line_overflow;
-    logic [2:0] zero;
+    logic [1:0] zero;
+    logic       behind_light;
     logic       quad_off_plane;
     logic       list_overflow;
     logic       depth_saturated;
@@ -149,7 +165,7 @@ package gnomon_pkg;
     logic        uncertain;
     logic        offset_empty;
     logic        beyond_max;
-    logic        zero;
+    logic        unreached;  // with beyond_max: behind the light; without: outside its cone
     logic [23:0] nearest;
     logic [23:0] delta;
   } voxel_result_t;
@@ -207,6 +223,9 @@ package gnomon_pkg;
   localparam logic [1:0] ITEM_OFFSET  = 2'd1;  // RESOLVE_VOXELS
   localparam logic [1:0] ITEM_CORNER  = 2'd2;  // PUT_QUADS
   localparam logic [1:0] ITEM_BEAM    = 2'd3;  // RESOLVE_TOPOLOGY
+  function automatic bit is_resolved(logic [1:0] kind);
+    is_resolved = kind == ITEM_OFFSET || kind == ITEM_BEAM;
+  endfunction
 
   // What travels with the two plane reads of a voxel, so that the unit holds nothing while it waits.
   typedef struct packed {
@@ -224,6 +243,50 @@ package gnomon_pkg;
     logic [15:0] tilt_v;     // g_vn
   } offset_tag_t;
   localparam int unsigned OFFSET_TAG_BITS = 57;
+
+  // Besides, in hardware with the perspective projection, with the own entry's read.
+  typedef struct packed {
+    logic        behind;
+    logic        outside_cone;
+    logic [23:0] delta_max;
+  } reach_tag_t;
+  localparam int unsigned REACH_TAG_BITS = 26;
+  function automatic int unsigned own_tag_bits(bit en_perspective);
+    own_tag_bits = OWN_TAG_BITS + (en_perspective ? REACH_TAG_BITS : 0);
+  endfunction
+
+  // Gradients for the margin test.
+  typedef struct packed {
+    logic [15:0] facing;     // g_dn
+    logic [15:0] tilt_u;     // g_un
+    logic [15:0] tilt_v;     // g_vn
+  } slopes_t;
+  localparam int unsigned SLOPES_BITS = 48;
+
+  // ---- Places: entries with fraction bits, saturated to two planes on either side of the plane; depths before the last floor ----
+  localparam int unsigned PLACE_FRAC_BITS = 12;
+  localparam int unsigned KEY_FRAC_BITS   = 4;
+  function automatic int unsigned place_bits(int unsigned plane_log2);
+    place_bits = plane_log2 + 2 + PLACE_FRAC_BITS;
+  endfunction
+
+  // ---- Widths of the perspective projection (docs/vpu.md, "Perspective") ----
+  localparam int unsigned NORMALISE_BITS = 5;  // a shift of 0..P + 3
+  function automatic int unsigned clearance_bits(bit en_perspective, int unsigned d);
+    clearance_bits = en_perspective ? 24 : d;  // of RESOLVE_TOPOLOGY
+  endfunction
+  function automatic int unsigned near_bits(int unsigned p);
+    near_bits = p + 4;
+  endfunction
+  function automatic int unsigned key_bits(int unsigned d);
+    key_bits = d + 8;
+  endfunction
+  function automatic int unsigned light_bits(int unsigned p);
+    light_bits = p + 11;
+  endfunction
+  function automatic int unsigned cone_bits(int unsigned plane_log2);
+    cone_bits = 2 * plane_log2 + 18;
+  endfunction
 
   // ---- Widths (docs/vpu.md, "Projection" and "Resolve"; f = MATRIX_FRAC_BITS, P = VOXEL_BITS + VOXEL_FRAC_BITS) ----
   function automatic int unsigned uv_coefficient_bits(int unsigned f);
@@ -256,14 +319,9 @@ package gnomon_pkg;
   function automatic int unsigned max_of(int unsigned a, int unsigned b);
     max_of = (a > b) ? a : b;
   endfunction
-  // The offset point: the sum of a place and of a gradient times OFFSET_FACTOR, one bit more than the wider of both. The
-  // depth is left with 4 fraction bits.
-  function automatic int unsigned uv_offset_bits(int unsigned f, int unsigned p, int unsigned n);
-    uv_offset_bits = max_of(uv_acc_bits(f, p), uv_gradient_bits(f, n) + OFFSET_FACTOR_BITS + 1 - OFFSET_FRAC_BITS) + 1;
-  endfunction
-  function automatic int unsigned depth_offset_bits(int unsigned d, int unsigned p, int unsigned n);
-    depth_offset_bits = max_of(depth_acc_bits(d, p),
-                               depth_gradient_bits(d, p, n) + OFFSET_FACTOR_BITS + 1 - OFFSET_FRAC_BITS) - p + 1;
+  // A gradient of so many bits times OFFSET_FACTOR, its fraction dropped.
+  function automatic int unsigned step_bits(int unsigned gradient_bits);
+    step_bits = gradient_bits + OFFSET_FACTOR_BITS + 1 - OFFSET_FRAC_BITS;
   endfunction
 
   // ---- Counters ----
@@ -329,6 +387,18 @@ package gnomon_pkg;
     logic        query_off_plane;
     logic        query_overflow;
   } slb_events_t;
+
+  // One bit an event counter of the perspective projection; those of quads and topology mode only with EN_VPU_TOPOLOGY.
+  typedef struct packed {
+    logic project_behind;
+    logic resolved_behind;
+    logic resolved_outside_cone;
+    logic quad_behind;
+    logic quad_straddling;
+    logic topology_behind;
+    logic topology_outside_cone;
+  } perspective_events_t;
+  localparam int unsigned PERSPECTIVE_COUNTER_COUNT = 7;
 
   // Indices of the counter read port of gnomon_top.
   localparam logic [6:0] COUNTER_COMMANDS              = 7'd0;

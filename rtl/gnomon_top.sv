@@ -12,6 +12,7 @@ module gnomon_top #(
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
   parameter bit          EN_VPU_OFFSET    = 1'b1,
+  parameter bit          EN_PERSPECTIVE   = 1'b0,   // spots and point lights (docs/vpu.md, "Perspective")
   // Topology mode (docs/vpu-topology.md), with memories of its own.
   parameter bit          EN_VPU_TOPOLOGY  = 1'b0,
   parameter int unsigned SUB_BITS         = 4,
@@ -45,7 +46,8 @@ module gnomon_top #(
   input  logic        res_ready_i,
   output logic [63:0] res_data_o,
   // Counters, combinational: 0..10 events, 11 sticky flags, 16..38 events of the silhouette-line buffer,
-  // 40..54 of topology mode, 64 + 6 pass + cause cycles, 128..132 events of the frame buffer.
+  // 40..54 of topology mode, 55..61 of the perspective projection, 64 + 6 pass + cause cycles, 128..132
+  // of the frame buffer.
   input  logic [7:0]  counter_index_i,
   output logic [63:0] counter_value_o,
   // Nothing under way and nothing buffered: without another word nothing more will happen. Also between the items of a
@@ -65,7 +67,7 @@ module gnomon_top #(
 
   localparam int unsigned INDEX = 2 * PLANE_LOG2;
   localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
-  localparam int unsigned TAG0  = gnomon_pkg::OWN_TAG_BITS;
+  localparam int unsigned TAG0  = gnomon_pkg::own_tag_bits(EN_PERSPECTIVE);
   localparam int unsigned TAG1  = gnomon_pkg::OFFSET_TAG_BITS;
   // 0 is refused above; as a width it would stop elaboration before that message is seen.
   localparam int unsigned LATENCY = (MEM_LATENCY == 0) ? 1 : MEM_LATENCY;
@@ -112,15 +114,16 @@ module gnomon_top #(
   logic [7:0]                                 read_count_minus1;
   logic                                       decoder_valid;
   logic [63:0]                                decoder_result;
-  logic                                       off_plane, saturated, quiet;
+  logic                                       off_plane, saturated, behind_light, quiet;
   gnomon_pkg::events_t                        events;
+  gnomon_pkg::perspective_events_t            perspective_events;
   gnomon_pkg::sticky_t                        sticky;
   logic [3:0]                                 pass;
   logic [2:0]                                 cause;
   command_decoder #(
-    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
-    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB),
-    .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_PERSPECTIVE(EN_PERSPECTIVE),
+    .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
+    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_decoder (
     .clk_i, .rst_ni, .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
     .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_offered),
@@ -136,7 +139,7 @@ module gnomon_top #(
     .read_count_minus1_o(read_count_minus1), .reading_o(reading), .read_step_i(read_step), .read_last_i(read_last),
     .result_valid_o(decoder_valid), .result_ready_i(result_ready), .result_o(decoder_result),
     .off_plane_i(off_plane), .saturated_i(saturated || topology_events.quad_saturated),
-    .list_overflow_i(topology_events.node_dropped), .quad_off_plane_i(topology_clipped),
+    .list_overflow_i(topology_events.node_dropped), .quad_off_plane_i(topology_clipped), .behind_light_i(behind_light),
     .line_overflow_i(slb_events.chain_dropped || slb_events.chain_reduced),
     .object_overflow_i(slb_events.group_evicted), .winding_saturated_i(slb_events.winding_saturated), .sticky_o(sticky),
     .output_blocked_i(result_valid && !result_ready), .pass_o(pass), .cause_o(cause),
@@ -149,76 +152,77 @@ module gnomon_top #(
   assign topology_item_valid = topology_item_offered && frame_room;
 
   // ---- Front end of the projection unit: both modes' items, one kind at a time, up to their places on the plane ----
-  localparam int unsigned POSITION  = VOXEL_BITS + VOXEL_FRAC_BITS;
-  localparam int unsigned FRONT_TAG = DEPTH_BITS + 1;
-  localparam int unsigned UV_ACC    = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, POSITION);
-  localparam int unsigned UV_G      = gnomon_pkg::uv_gradient_bits(MATRIX_FRAC_BITS, NORMAL_BITS);
-  localparam int unsigned D_G       = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, POSITION, NORMAL_BITS);
-  localparam int unsigned UV_SUM    = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, POSITION, NORMAL_BITS);
-  localparam int unsigned D_SUM     = gnomon_pkg::depth_offset_bits(DEPTH_BITS, POSITION, NORMAL_BITS);
-  logic                                      front_en, front_idle, front_valid, vpu_stall, topology_stall;
-  logic                                      topology_two_sided, place_off_plane, place_saturated, facing_away;
-  logic [gnomon_pkg::ITEM_KIND_BITS-1:0]     front_kind, vpu_kind, topology_kind;
-  logic [FRONT_TAG-1:0]                      front_tag, topology_tag;
-  logic [gnomon_pkg::SHIFT_BITS-1:0]         facing_shift, tilt_shift, delta_shift;
-  logic [gnomon_pkg::MARGIN_BITS-1:0]        margin_squared;
-  logic [DEPTH_BITS-1:0]                     delta_max;
-  logic signed [UV_ACC-1:0]                  u_acc, v_acc;
-  logic [INDEX-1:0]                          place_index;
-  logic [DEPTH-1:0]                          place_depth;
-  logic signed [UV_G-1:0]                    g_u, g_v;
-  logic signed [D_G-1:0]                     g_d;
-  logic signed [UV_SUM-1:0]                  u_sum, v_sum;
-  logic signed [D_SUM-1:0]                   d_sum;
-  assign front_en = !vpu_stall && !topology_stall;
-  assign vpu_kind = item_resolve ? gnomon_pkg::ITEM_OFFSET : gnomon_pkg::ITEM_PROJECT;
+  localparam int unsigned PLACE     = gnomon_pkg::place_bits(PLANE_LOG2);
+  localparam int unsigned CLEARANCE = gnomon_pkg::clearance_bits(EN_PERSPECTIVE, DEPTH_BITS);
+  logic                                  front_en, front_idle, vpu_stall, topology_stall;
+  logic [gnomon_pkg::ITEM_KIND_BITS-1:0] vpu_kind, topology_kind, place_kind, moved_kind;
+  logic                                  topology_two_sided, topology_sorted, place_valid, place_behind, place_saturated;
+  logic [CLEARANCE-1:0]                  topology_clearance;
+  logic [gnomon_pkg::SHIFT_BITS-1:0]     delta_shift;
+  logic [gnomon_pkg::MARGIN_BITS-1:0]    margin_squared;
+  logic [DEPTH_BITS-1:0]                 delta_max, place_depth, moved_clearance, moved_depth, moved_delta_max;
+  logic signed [PLACE-1:0]               place_u, place_v, moved_u, moved_v;
+  logic                                  moved_valid, moved_sorted, moved_behind, outside_cone, facing_away;
+  gnomon_pkg::slopes_t                   slopes;
+  assign front_en            = !vpu_stall && !topology_stall;
+  assign vpu_kind            = item_resolve ? gnomon_pkg::ITEM_OFFSET : gnomon_pkg::ITEM_PROJECT;
   assign topology_item_ready = front_en;
   vpu_front #(
     .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
     .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
-    .RESOLVES(EN_VPU_OFFSET || EN_VPU_TOPOLOGY), .TAG_BITS(FRONT_TAG)
+    .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_PERSPECTIVE(EN_PERSPECTIVE)
   ) u_front (
-    .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index), .en_i(front_en),
+    .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index),
+    .delta_shift_o(delta_shift), .margin_squared_o(margin_squared), .delta_max_o(delta_max), .en_i(front_en),
     .item_valid_i((item_valid && item_ready) || topology_item_valid), .word_i(word),
     .kind_i(topology_item_valid ? topology_kind : vpu_kind),
-    .two_sided_i(topology_item_valid ? topology_two_sided : item_two_sided), .tag_i(topology_tag), .idle_o(front_idle),
-    .facing_shift_o(facing_shift), .tilt_shift_o(tilt_shift), .delta_shift_o(delta_shift),
-    .margin_squared_o(margin_squared), .delta_max_o(delta_max), .valid_o(front_valid), .kind_o(front_kind),
-    .tag_o(front_tag), .u_acc_o(u_acc), .v_acc_o(v_acc), .off_plane_o(place_off_plane), .index_o(place_index),
-    .depth_o(place_depth), .saturated_o(place_saturated), .g_u_o(g_u), .g_v_o(g_v), .g_d_o(g_d),
-    .facing_away_o(facing_away), .u_sum_o(u_sum), .v_sum_o(v_sum), .d_sum_o(d_sum)
+    .two_sided_i(topology_item_valid ? topology_two_sided : item_two_sided), .sorted_i(topology_sorted),
+    .clearance_i(topology_clearance), .idle_o(front_idle), .valid_o(place_valid), .kind_o(place_kind),
+    .behind_o(place_behind), .u_fine_o(place_u), .v_fine_o(place_v), .depth_o(place_depth),
+    .saturated_o(place_saturated), .moved_valid_o(moved_valid), .moved_kind_o(moved_kind), .sorted_o(moved_sorted),
+    .clearance_o(moved_clearance), .moved_behind_o(moved_behind), .outside_cone_o(outside_cone),
+    .facing_away_o(facing_away), .u_moved_o(moved_u), .v_moved_o(moved_v), .depth_moved_o(moved_depth),
+    .slopes_o(slopes), .item_delta_max_o(moved_delta_max)
   );
 
   if (EN_VPU_TOPOLOGY) begin : gen_topology
     topology #(
-      .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
-      .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS),
+      .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .SUB_BITS(SUB_BITS),
       .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(LATENCY),
       .MEM_STALL_SEED(MEM_STALL_SEED)
     ) u_topology (
       .clk_i, .rst_ni, .start_i(topology_start), .header_i(word), .kind_o(topology_kind),
-      .two_sided_o(topology_two_sided), .tag_o(topology_tag), .en_i(front_en), .stall_o(topology_stall),
-      .front_idle_i(front_idle), .valid_i(front_valid), .kind_i(front_kind), .tag_i(front_tag), .u_acc_i(u_acc),
-      .v_acc_i(v_acc), .depth_i(place_depth[DEPTH_BITS-1:0]), .saturated_i(place_saturated),
-      .facing_away_i(facing_away), .u_sum_i(u_sum), .v_sum_i(v_sum), .d_sum_i(d_sum),
+      .two_sided_o(topology_two_sided), .sorted_o(topology_sorted), .clearance_o(topology_clearance),
+      .stall_o(topology_stall), .front_idle_i(front_idle), .valid_i(place_valid), .kind_i(place_kind),
+      .behind_i(place_behind), .u_fine_i(place_u), .v_fine_i(place_v), .depth_i(place_depth),
+      .saturated_i(place_saturated), .moved_valid_i(moved_valid), .moved_kind_i(moved_kind), .sorted_i(moved_sorted),
+      .clearance_i(moved_clearance), .moved_behind_i(moved_behind), .outside_cone_i(outside_cone),
+      .facing_away_i(facing_away), .u_moved_i(moved_u), .v_moved_i(moved_v), .depth_moved_i(moved_depth),
       .result_valid_o(topology_valid), .result_ready_i(state_ready), .result_o(topology_result),
       .idle_o(topology_idle), .step_o(topology_step), .wait_o(topology_wait), .clipped_o(topology_clipped),
+      .quad_behind_o(perspective_events.quad_behind), .quad_straddling_o(perspective_events.quad_straddling),
+      .behind_o(perspective_events.topology_behind), .outside_cone_o(perspective_events.topology_outside_cone),
       .events_o(topology_events)
     );
   end else begin : gen_no_topology
-    assign topology_kind      = gnomon_pkg::ITEM_CORNER;
-    assign topology_two_sided = 1'b0;
-    assign topology_tag       = '0;
-    assign topology_stall     = 1'b0;
-    assign topology_valid     = 1'b0;
-    assign topology_result    = '0;
-    assign topology_idle      = 1'b1;
-    assign topology_step      = 1'b0;
-    assign topology_wait      = 1'b0;
-    assign topology_clipped   = 1'b0;
-    assign topology_events    = '0;
+    assign topology_kind                            = gnomon_pkg::ITEM_CORNER;
+    assign topology_two_sided                       = 1'b0;
+    assign topology_sorted                          = 1'b0;
+    assign topology_clearance                       = '0;
+    assign topology_stall                           = 1'b0;
+    assign topology_valid                           = 1'b0;
+    assign topology_result                          = '0;
+    assign topology_idle                            = 1'b1;
+    assign topology_step                            = 1'b0;
+    assign topology_wait                            = 1'b0;
+    assign topology_clipped                         = 1'b0;
+    assign perspective_events.quad_behind           = 1'b0;
+    assign perspective_events.quad_straddling       = 1'b0;
+    assign perspective_events.topology_behind       = 1'b0;
+    assign perspective_events.topology_outside_cone = 1'b0;
+    assign topology_events                          = '0;
     logic unused_topology;
-    assign unused_topology = ^{topology_start, front_idle, front_tag, u_acc, v_acc};
+    assign unused_topology = ^{topology_start, front_idle, moved_sorted, moved_clearance};
   end
 
   // ---- States: to the frame buffer, to the results, or both ----
@@ -290,22 +294,20 @@ module gnomon_top #(
   logic                         vpu_read0_valid, vpu_read0_ready, vpu_entry0_valid, vpu_entry0_ready;
   logic                         read1_valid, read1_ready, entry1_valid, entry1_ready;
   logic [INDEX-1:0]             vpu_read0_index, read1_index;
-  gnomon_pkg::own_tag_t         vpu_read0_tag;
+  logic [TAG0-1:0]              vpu_read0_tag;
   logic [TAG0-1:0]              entry0_tag;
   gnomon_pkg::offset_tag_t      read1_tag, entry1_tag;
   logic                         vpu_valid;
   gnomon_pkg::voxel_result_t    vpu_result;
   vpu #(
-    .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
-    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
-    .EN_VPU_OFFSET(EN_VPU_OFFSET)
+    .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_PERSPECTIVE(EN_PERSPECTIVE)
   ) u_vpu (
     .clk_i, .rst_ni, .item_valid_i(item_valid), .item_ready_o(item_ready), .idle_o(vpu_idle), .en_i(front_en),
-    .stall_o(vpu_stall), .facing_shift_i(facing_shift), .tilt_shift_i(tilt_shift), .delta_shift_i(delta_shift),
-    .margin_squared_i(margin_squared), .delta_max_i(delta_max), .valid_i(front_valid), .kind_i(front_kind),
-    .place_off_plane_i(place_off_plane), .place_index_i(place_index), .place_depth_i(place_depth),
-    .place_saturated_i(place_saturated), .g_u_i(g_u), .g_v_i(g_v), .g_d_i(g_d), .facing_away_i(facing_away),
-    .u_sum_i(u_sum), .v_sum_i(v_sum), .d_sum_i(d_sum),
+    .stall_o(vpu_stall), .delta_shift_i(delta_shift), .margin_squared_i(margin_squared), .delta_max_i(delta_max),
+    .valid_i(place_valid), .kind_i(place_kind), .behind_i(place_behind), .u_fine_i(place_u), .v_fine_i(place_v),
+    .depth_i(place_depth), .saturated_i(place_saturated), .moved_valid_i(moved_valid), .moved_kind_i(moved_kind),
+    .moved_behind_i(moved_behind), .outside_cone_i(outside_cone), .facing_away_i(facing_away), .u_moved_i(moved_u),
+    .v_moved_i(moved_v), .depth_moved_i(moved_depth), .slopes_i(slopes), .item_delta_max_i(moved_delta_max),
     .update_valid_o(update_valid), .update_ready_i(update_ready), .update_index_o(update_index),
     .update_operand_o(update_operand), .modify_entry_i(modify_entry), .modify_operand_i(modify_operand),
     .modify_write_o(modify_write), .modify_depth_o(modify_depth),
@@ -315,7 +317,8 @@ module gnomon_top #(
     .read1_valid_o(read1_valid), .read1_ready_i(read1_ready), .read1_index_o(read1_index), .read1_tag_o(read1_tag),
     .entry1_valid_i(entry1_valid), .entry1_ready_o(entry1_ready), .entry1_i(entry1), .entry1_tag_i(entry1_tag),
     .result_valid_o(vpu_valid), .result_ready_i(state_ready), .result_o(vpu_result),
-    .projected_o(events.voxel_projected), .off_plane_o(off_plane), .saturated_o(saturated)
+    .projected_o(events.voxel_projected), .off_plane_o(off_plane), .saturated_o(saturated),
+    .behind_o(perspective_events.project_behind)
   );
 
   // ---- READ_PLANE ----
@@ -402,11 +405,16 @@ module gnomon_top #(
   assign events.resolved_uncertain    = vpu_given && vpu_result.uncertain;
   assign events.resolved_offset_empty = vpu_given && vpu_result.offset_empty;
   assign events.resolved_shadow       = vpu_given && vpu_result.state == gnomon_pkg::STATE_SHADOW;
-  counters #(
-    .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB)
+  assign perspective_events.resolved_behind       = vpu_given && vpu_result.unreached && vpu_result.beyond_max;
+  assign perspective_events.resolved_outside_cone = vpu_given && vpu_result.unreached && !vpu_result.beyond_max;
+  assign behind_light = perspective_events.project_behind || perspective_events.quad_behind ||
+                        perspective_events.quad_straddling;
+  counters #(.EN_PERSPECTIVE(EN_PERSPECTIVE), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
+    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB)
   ) u_counters (
-    .clk_i, .rst_ni, .events_i(events), .topology_events_i(topology_events), .frame_events_i(frame_events),
-    .slb_events_i(slb_events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
+    .clk_i, .rst_ni, .events_i(events), .perspective_events_i(perspective_events), .topology_events_i(topology_events),
+    .frame_events_i(frame_events), .slb_events_i(slb_events),
+    .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
   );
 
   `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(topology_valid) + 3'(frame_valid) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded faults: tests build the hardware with one of the GNOMON_MUTATE_* macros defined and show that they notice. Each
-// constant is used at one place; without a macro all are 0 and vanish. GNOMON_MUTATE_SLB_AT_RUN builds in several at once, to
-// be chosen when the simulation starts.
+// constant is used at one place; without a macro all are 0 and vanish. GNOMON_MUTATE_SLB_AT_RUN and
+// GNOMON_MUTATE_PROJECTION_AT_RUN build in several at once, to be chosen when the simulation starts.
 
 /* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
 /* verilator lint_off UNUSEDSIGNAL */  // likewise, of the faults chosen at run time, which are variables
@@ -120,6 +120,41 @@ package mutations_pkg;
   localparam bit SLB_COVER_ALL_ROWS  = 1'b0;
   localparam bit SLB_LAST_OBJECT     = 1'b0;
   localparam bit SLB_OPEN_HALF_PLANE = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_PROJECTION_AT_RUN
+  // Topology mode.
+  bit TOPOLOGY_KEEP_HEAD          = $test$plusargs("TOPOLOGY_KEEP_HEAD") != 0;           // a list keeps its first node as its head
+  bit TOPOLOGY_NEAR_LAST          = $test$plusargs("TOPOLOGY_NEAR_LAST") != 0;           // a head's near is that of its last quad
+  bit TOPOLOGY_CLIP_SHORT         = $test$plusargs("TOPOLOGY_CLIP_SHORT") != 0;          // a clipped box ends an entry early
+  bit TOPOLOGY_NO_EARLY_EXIT      = $test$plusargs("TOPOLOGY_NO_EARLY_EXIT") != 0;       // a hit does not end a walk
+  bit TOPOLOGY_LOSE_DROPPED       = $test$plusargs("TOPOLOGY_LOSE_DROPPED") != 0;        // an entry does not know that it lost a quad
+  bit TOPOLOGY_OPEN_SIDES         = $test$plusargs("TOPOLOGY_OPEN_SIDES") != 0;          // a beam on a side of a triangle misses it
+  bit TOPOLOGY_SORTED_GOES_ON     = $test$plusargs("TOPOLOGY_SORTED_GOES_ON") != 0;      // a quad that is not nearer does not end a sorted walk
+  // The perspective projection.
+  bit PERSPECTIVE_NO_STEP         = $test$plusargs("PERSPECTIVE_NO_STEP") != 0;          // the reciprocal is its seed
+  bit PERSPECTIVE_NEAR_OR_EQUAL   = $test$plusargs("PERSPECTIVE_NEAR_OR_EQUAL") != 0;    // w = W_NEAR is behind
+  bit PERSPECTIVE_NO_TURN         = $test$plusargs("PERSPECTIVE_NO_TURN") != 0;          // the offset point is moved at the w of A
+  bit PERSPECTIVE_CONE_ALWAYS     = $test$plusargs("PERSPECTIVE_CONE_ALWAYS") != 0;      // the cone counts without its flag
+  bit PERSPECTIVE_KEEP_STRADDLING = $test$plusargs("PERSPECTIVE_KEEP_STRADDLING") != 0;  // a quad with some corners behind is linked
+  bit PERSPECTIVE_FACE_THE_AXIS   = $test$plusargs("PERSPECTIVE_FACE_THE_AXIS") != 0;    // facing is that of a light along the axis
+  bit PERSPECTIVE_NO_CLEARANCE    = $test$plusargs("PERSPECTIVE_NO_CLEARANCE") != 0;     // a beam starts without its clearance
+  bit PERSPECTIVE_PLAIN_MAX       = $test$plusargs("PERSPECTIVE_PLAIN_MAX") != 0;        // DELTA_MAX does not follow K/w
+`else
+  localparam bit TOPOLOGY_KEEP_HEAD          = 1'b0;
+  localparam bit TOPOLOGY_NEAR_LAST          = 1'b0;
+  localparam bit TOPOLOGY_CLIP_SHORT         = 1'b0;
+  localparam bit TOPOLOGY_NO_EARLY_EXIT      = 1'b0;
+  localparam bit TOPOLOGY_LOSE_DROPPED       = 1'b0;
+  localparam bit TOPOLOGY_OPEN_SIDES         = 1'b0;
+  localparam bit TOPOLOGY_SORTED_GOES_ON     = 1'b0;
+  localparam bit PERSPECTIVE_NO_STEP         = 1'b0;
+  localparam bit PERSPECTIVE_NEAR_OR_EQUAL   = 1'b0;
+  localparam bit PERSPECTIVE_NO_TURN         = 1'b0;
+  localparam bit PERSPECTIVE_CONE_ALWAYS     = 1'b0;
+  localparam bit PERSPECTIVE_KEEP_STRADDLING = 1'b0;
+  localparam bit PERSPECTIVE_FACE_THE_AXIS   = 1'b0;
+  localparam bit PERSPECTIVE_NO_CLEARANCE    = 1'b0;
+  localparam bit PERSPECTIVE_PLAIN_MAX       = 1'b0;
 `endif
 
 endpackage

@@ -57,6 +57,7 @@ inline constexpr std::uint32_t kFirstPerspectiveCounter = 55;
 inline constexpr std::array<std::string_view, 7> kPerspectiveEventNames{
     "PROJECT_BEHIND",   "RESOLVED_BEHIND", "RESOLVED_OUTSIDE_CONE", "QUADS_BEHIND",
     "QUADS_STRADDLING", "TOPOLOGY_BEHIND", "TOPOLOGY_OUTSIDE_CONE"};
+inline constexpr std::size_t kPerspectiveOffsetEvents = 3;  ///< of these, in hardware without topology mode
 
 /// Event counters of the frame buffer: index kFirstFrameCounter + number here; 0 in hardware without.
 inline constexpr std::uint32_t kFirstFrameCounter = 128;

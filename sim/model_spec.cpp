@@ -23,6 +23,7 @@ Parameters parameters(const golden::HardwareConfig& config) {
                   {"DEPTH_BITS", config.depth_bits},
                   {"PLANE_LOG2", config.plane_log2},
                   {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0}};
+  if (config.en_perspective) list.emplace_back("EN_PERSPECTIVE", 1);
   if (config.en_vpu_topology) {
     const Parameters topology{{"EN_VPU_TOPOLOGY", 1},
                               {"SUB_BITS", config.sub_bits},

@@ -110,6 +110,10 @@ class RtlEngineImpl final : public RtlEngine {
       counters.events[std::string(kSlbEventNames[i])] = counter(kFirstSlbCounter + i);
     for (std::uint32_t i = 0; config_.en_vpu_topology && i < kTopologyEventNames.size(); ++i)
       counters.events[std::string(kTopologyEventNames[i])] = counter(kFirstTopologyCounter + i);
+    const std::size_t perspective =
+        config_.en_vpu_topology ? kPerspectiveEventNames.size() : kPerspectiveOffsetEvents;
+    for (std::uint32_t i = 0; config_.en_perspective && i < perspective; ++i)
+      counters.events[std::string(kPerspectiveEventNames[i])] = counter(kFirstPerspectiveCounter + i);
     for (std::uint32_t i = 0; config_.en_frame_buffer && i < kFrameEventNames.size(); ++i)
       counters.events[std::string(kFrameEventNames[i])] = counter(kFirstFrameCounter + i);
     for (std::size_t pass = 0; pass < kPassNames.size(); ++pass) {

@@ -5,6 +5,7 @@
 module command_check #(
   parameter int unsigned PLANE_LOG2      = 9,
   parameter bit          EN_VPU_OFFSET   = 1'b1,
+  parameter bit          EN_PERSPECTIVE  = 1'b0,
   parameter bit          EN_VPU_TOPOLOGY = 1'b0,
   parameter bit          EN_FRAME_BUFFER = 1'b0,
   parameter int unsigned FRAME_LAYERS_LOG2 = 0,
@@ -44,14 +45,19 @@ module command_check #(
   assign keeps_or_quiet = gnomon_pkg::is_resolve_op(header_i.op) && (header_i.flags & KEEP_FLAGS) != '0;
   assign bad_layer      = 5'(header_i.arg[31:28]) >= LAYERS;
 
-  assign absent = (!EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS) ||
+  // The sum of the numbers: 33 bits, so that it does not wrap.
+  logic        sets_registers;
+  logic [32:0] register_end;
+  assign sets_registers = header_i.op == gnomon_pkg::OP_SET_REGISTERS;
+  assign register_end   = 33'(header_i.arg) + 33'(header_i.count);
+  assign bad_register   = sets_registers && register_end > 33'(gnomon_pkg::REGISTER_COUNT);
+
+  assign absent = (!EN_PERSPECTIVE && sets_registers && !bad_register &&
+                   register_end > 33'(gnomon_pkg::PLAIN_REGISTERS)) ||
+                  (!EN_VPU_OFFSET && header_i.op == gnomon_pkg::OP_RESOLVE_VOXELS) ||
                   (!EN_VPU_TOPOLOGY && gnomon_pkg::is_topology_op(header_i.op)) ||
                   (!EN_FRAME_BUFFER && (gnomon_pkg::is_frame_op(header_i.op) || keeps_or_quiet)) ||
                   (!EN_SLB && gnomon_pkg::is_slb_op(header_i.op));
-
-  // The sum of the numbers: 33 bits, so that it does not wrap.
-  assign bad_register = header_i.op == gnomon_pkg::OP_SET_REGISTERS &&
-                        33'(header_i.arg) + 33'(header_i.count) > 33'(gnomon_pkg::REGISTER_COUNT);
 
   localparam logic [24:0] LAST_ENTRY     = (25'd1 << (2 * PLANE_LOG2)) - 25'd1;
   localparam logic [24:0] LAST_SLB_ENTRY = (25'd1 << (2 * SLB_PLANE_LOG2)) - 25'd1;

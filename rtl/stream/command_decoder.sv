@@ -7,6 +7,7 @@
 module command_decoder #(
   parameter int unsigned PLANE_LOG2      = 9,
   parameter bit          EN_VPU_OFFSET   = 1'b1,
+  parameter bit          EN_PERSPECTIVE  = 1'b0,
   parameter bit          EN_VPU_TOPOLOGY = 1'b0,
   parameter bit          EN_FRAME_BUFFER = 1'b0,
   parameter int unsigned FRAME_LAYERS_LOG2 = 0,
@@ -71,6 +72,7 @@ module command_decoder #(
   input  logic                                       saturated_i,
   input  logic                                       list_overflow_i,
   input  logic                                       quad_off_plane_i,
+  input  logic                                       behind_light_i,
   input  logic                                       line_overflow_i,
   input  logic                                       object_overflow_i,
   input  logic                                       winding_saturated_i,
@@ -100,7 +102,7 @@ module command_decoder #(
 
   logic allowed, good, take_header;
   command_check #(
-    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
+    .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_PERSPECTIVE(EN_PERSPECTIVE), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
     .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB),
     .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_check (.header_i(header), .allowed_i(allowed), .error_o(error));
@@ -250,6 +252,7 @@ module command_decoder #(
       if (saturated_i) sticky_q.depth_saturated <= 1'b1;
       if (list_overflow_i)     sticky_q.list_overflow     <= 1'b1;
       if (quad_off_plane_i)    sticky_q.quad_off_plane    <= 1'b1;
+      if (behind_light_i)      sticky_q.behind_light      <= 1'b1;
       if (line_overflow_i)     sticky_q.line_overflow     <= 1'b1;
       if (object_overflow_i)   sticky_q.object_overflow   <= 1'b1;
       if (winding_saturated_i) sticky_q.winding_saturated <= 1'b1;

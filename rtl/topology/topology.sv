@@ -5,12 +5,9 @@
 `include "assertions.svh"
 
 module topology #(
-  parameter int unsigned VOXEL_BITS       = 8,
-  parameter int unsigned VOXEL_FRAC_BITS  = 2,
-  parameter int unsigned NORMAL_BITS      = 9,
-  parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
+  parameter bit          EN_PERSPECTIVE   = 1'b0,
   parameter int unsigned SUB_BITS         = 4,
   parameter int unsigned SPAN_LOG2        = 4,
   parameter int unsigned NODES_LOG2       = 20,
@@ -18,11 +15,8 @@ module topology #(
   parameter int unsigned MEM_LATENCY      = 1,
   parameter int unsigned MEM_STALL_SEED   = 0,
   // Derived; not to be overridden.
-  parameter int unsigned P      = VOXEL_BITS + VOXEL_FRAC_BITS,
-  parameter int unsigned UV_ACC = gnomon_pkg::uv_acc_bits(MATRIX_FRAC_BITS, P),
-  parameter int unsigned UV_SUM = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, P, NORMAL_BITS),
-  parameter int unsigned D_SUM  = gnomon_pkg::depth_offset_bits(DEPTH_BITS, P, NORMAL_BITS),
-  parameter int unsigned TAG    = DEPTH_BITS + 1
+  parameter int unsigned PLACE     = gnomon_pkg::place_bits(PLANE_LOG2),
+  parameter int unsigned CLEARANCE = gnomon_pkg::clearance_bits(EN_PERSPECTIVE, DEPTH_BITS)
 ) (
   input  logic                                       clk_i,
   input  logic                                       rst_ni,
@@ -32,21 +26,28 @@ module topology #(
   input  logic [63:0]                                header_i,
   output logic [gnomon_pkg::ITEM_KIND_BITS-1:0]      kind_o,
   output logic                                       two_sided_o,
-  output logic [TAG-1:0]                             tag_o,            // {clearance, sorted}
-  // The front end and stages 4 and 5 move together.
-  input  logic                                       en_i,
-  output logic                                       stall_o,          // an item waits for room
+  output logic                                       sorted_o,
+  output logic [CLEARANCE-1:0]                       clearance_o,
+  // The front end.
+  output logic                                       stall_o,          // it must not move: an item waits for room
   input  logic                                       front_idle_i,
-  // Stage 3: an item on the plane; stage 4: its lifted point.
+  // The place of an item.
   input  logic                                       valid_i,
   input  logic [gnomon_pkg::ITEM_KIND_BITS-1:0]      kind_i,
-  input  logic [TAG-1:0]                             tag_i,
-  input  logic signed [UV_ACC-1:0]                   u_acc_i, v_acc_i,
+  input  logic                                       behind_i,
+  input  logic signed [PLACE-1:0]                    u_fine_i, v_fine_i,
   input  logic [DEPTH_BITS-1:0]                      depth_i,
   input  logic                                       saturated_i,
+  // The lifted point of a voxel, its clearance in its depth or beside it.
+  input  logic                                       moved_valid_i,
+  input  logic [gnomon_pkg::ITEM_KIND_BITS-1:0]      moved_kind_i,
+  input  logic                                       sorted_i,
+  input  logic [DEPTH_BITS-1:0]                      clearance_i,
+  input  logic                                       moved_behind_i,
+  input  logic                                       outside_cone_i,
   input  logic                                       facing_away_i,
-  input  logic signed [UV_SUM-1:0]                   u_sum_i, v_sum_i,
-  input  logic signed [D_SUM-1:0]                    d_sum_i,
+  input  logic signed [PLACE-1:0]                    u_moved_i, v_moved_i,
+  input  logic [DEPTH_BITS-1:0]                      depth_moved_i,
   output logic                                       result_valid_o,   // TOPOLOGY_STATE and LIST_HEAD words
   input  logic                                       result_ready_i,
   output logic [63:0]                                result_o,
@@ -54,25 +55,28 @@ module topology #(
   output logic                                       step_o,           // one step of a clear, a read, a link or a walk
   output logic                                       wait_o,           // a memory holds something back
   output logic                                       clipped_o,        // event: raises QUAD_OFF_PLANE
+  output logic                                       quad_behind_o,    // events of the perspective projection
+  output logic                                       quad_straddling_o,
+  output logic                                       behind_o,
+  output logic                                       outside_cone_o,
   output topology_pkg::topology_events_t             events_o
 );
 
   localparam int unsigned D          = DEPTH_BITS;
   localparam int unsigned INDEX      = 2 * PLANE_LOG2;
-  localparam int unsigned COORDINATE = PLANE_LOG2 + SUB_BITS + 2;
   localparam int unsigned HEAD       = topology_pkg::head_bits(D, NODES_LOG2);
   localparam int unsigned NODE       = topology_pkg::node_bits(D, NODES_LOG2, QUADS_LOG2);
   localparam int unsigned RECORD     = topology_pkg::record_bits(SUB_BITS, SPAN_LOG2);
   // A walk's round takes 2 MEM_LATENCY + 8 cycles; the others wait until an older one is done.
   localparam int unsigned WALKS_LOG2 = $clog2(2 * MEM_LATENCY + 48);
-  localparam int unsigned HEAD_TAG   = 3 + D + 2 * (PLANE_LOG2 + SUB_BITS);
+  localparam int unsigned HEAD_TAG   = topology_pkg::head_tag_bits(EN_PERSPECTIVE, D, PLANE_LOG2 + SUB_BITS);
   localparam int unsigned NODE_TAG   = 2 * topology_pkg::COUNT_BITS + WALKS_LOG2;
   localparam int unsigned RECORD_TAG = NODE_TAG + 1 + NODES_LOG2 + QUADS_LOG2;
 
   // ---- The command in progress ----
   gnomon_pkg::header_t header;
   logic                clear_start, read_start, put_q, two_sided_q, sorted_q, unused_header;
-  logic [D-1:0]        clearance_q;
+  logic [CLEARANCE-1:0] clearance_q;
   assign header        = header_i;
   assign clear_start   = start_i && header.op == gnomon_pkg::OP_CLEAR_LISTS;
   assign read_start    = start_i && header.op == gnomon_pkg::OP_READ_LISTS;
@@ -82,12 +86,13 @@ module topology #(
       put_q       <= header.op == gnomon_pkg::OP_PUT_QUADS;
       two_sided_q <= (header.flags & gnomon_pkg::TOPOLOGY_TWO_SIDED) != '0;
       sorted_q    <= (header.flags & gnomon_pkg::TOPOLOGY_SORTED) != '0;
-      clearance_q <= header.arg[D-1:0];
+      clearance_q <= header.arg[CLEARANCE-1:0];
     end
   end
   assign kind_o      = put_q ? gnomon_pkg::ITEM_CORNER : gnomon_pkg::ITEM_BEAM;
   assign two_sided_o = two_sided_q;
-  assign tag_o       = {clearance_q, sorted_q};
+  assign sorted_o    = sorted_q;
+  assign clearance_o = clearance_q;
 
   logic corner_valid, corner_ready, ask, asked;
   assign stall_o = (corner_valid && !corner_ready) || (ask && !asked);
@@ -101,27 +106,25 @@ module topology #(
   logic [NODES_LOG2-1:0]        put_node_index;
   logic [QUADS_LOG2-1:0]        put_record_index;
   logic [RECORD-1:0]            put_record;
+  // Floor to sub-entries; the place is saturated already.
+  localparam int unsigned COORDINATE = PLANE_LOG2 + SUB_BITS + 2;
   logic signed [COORDINATE-1:0] corner_u, corner_v;
+  assign corner_u     = u_fine_i[PLACE-1-:COORDINATE];
+  assign corner_v     = v_fine_i[PLACE-1-:COORDINATE];
   assign corner_valid = valid_i && kind_i == gnomon_pkg::ITEM_CORNER;
-  topology_corner #(
-    .ACC_BITS(UV_ACC), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
-  ) u_corner_u (.acc_i(u_acc_i), .sub_o(corner_u));
-  topology_corner #(
-    .ACC_BITS(UV_ACC), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
-  ) u_corner_v (.acc_i(v_acc_i), .sub_o(corner_v));
   topology_put #(
     .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
     .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(MEM_LATENCY)
   ) u_put (
     .clk_i, .rst_ni, .clear_i(clear_start), .corner_valid_i(corner_valid), .corner_ready_o(corner_ready),
-    .u_i(corner_u), .v_i(corner_v), .depth_i, .saturated_i, .update_valid_o(update_valid),
+    .behind_i, .u_i(corner_u), .v_i(corner_v), .depth_i, .saturated_i, .update_valid_o(update_valid),
     .update_ready_i(update_ready), .update_index_o(update_index), .update_operand_o(update_operand),
     .modify_valid_i(modify_valid), .modify_present_i(modify_present), .modify_head_i(modify_head),
     .modify_operand_i(modify_operand), .modify_head_o(new_head), .node_valid_o(node_write),
     .node_ready_i(node_written), .node_index_o(put_node_index), .node_o(put_node), .record_valid_o(record_write),
     .record_ready_i(record_written), .record_index_o(put_record_index), .record_o(put_record), .idle_o(put_idle),
     .put_o(events_o.quad_put), .clipped_o, .missed_o(events_o.quad_off_plane), .too_large_o(events_o.quad_too_large),
-    .saturated_o(events_o.quad_saturated), .linked_o(events_o.node_linked), .dropped_o(events_o.node_dropped)
+    .saturated_o(events_o.quad_saturated), .behind_o(quad_behind_o), .straddling_o(quad_straddling_o), .linked_o(events_o.node_linked), .dropped_o(events_o.node_dropped)
   );
 
   // ---- RESOLVE_TOPOLOGY ----
@@ -138,12 +141,12 @@ module topology #(
   logic [RECORD-1:0]              record;
   topology_pkg::topology_result_t state;
   topology_resolve #(
-    .POSITION_BITS(P), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D),
-    .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
-    .QUADS_LOG2(QUADS_LOG2), .WALKS_LOG2(WALKS_LOG2)
+    .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .SUB_BITS(SUB_BITS),
+    .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .WALKS_LOG2(WALKS_LOG2)
   ) u_resolve (
-    .clk_i, .rst_ni, .en_i, .valid_i(valid_i && kind_i == gnomon_pkg::ITEM_BEAM), .facing_away_i, .sorted_i(tag_i[0]),
-    .clearance_i(tag_i[D:1]), .u_sum_i, .v_sum_i, .d_sum_i, .idle_o(resolve_idle),
+    .clk_i, .rst_ni, .valid_i(moved_valid_i && moved_kind_i == gnomon_pkg::ITEM_BEAM), .behind_i(moved_behind_i),
+    .outside_cone_i, .facing_away_i, .sorted_i, .clearance_i, .u_moved_i, .v_moved_i, .depth_moved_i,
+    .idle_o(resolve_idle),
     .read_valid_o(ask), .read_ready_i(asked), .read_index_o(ask_index), .read_tag_o(ask_tag),
     .head_valid_i(resolve_head), .head_ready_o(resolve_taken), .head_present_i(head_present), .head_i(head),
     .head_tag_i(head_tag), .ask_valid_o(node_ask), .ask_ready_i(node_asked), .ask_index_o(node_index),
@@ -217,14 +220,19 @@ module topology #(
   assign events_o.off_plane   = state_given && state.off_plane;
   assign events_o.uncertain   = state_given && state.uncertain;
   assign events_o.hit         = state_given && state.hit;
-  assign events_o.fallback    = state_given && state.fallback;
+  assign events_o.fallback    = state_given && state.fallback && !state.unreached;
   assign events_o.shadow      = state_given && state.state == gnomon_pkg::STATE_SHADOW;
+  assign behind_o             = state_given && state.unreached && state.fallback;
+  assign outside_cone_o       = state_given && state.unreached && !state.fallback;
 
   assign idle_o = front_idle_i && put_idle && resolve_idle && !reader_busy && heads_idle && nodes_idle && records_idle;
   assign step_o = scrubbing || (update_valid && update_ready) || events_o.node_visited ||
                   (reader_ask && reader_asked) || (reader_valid && result_ready_i);
   assign wait_o = (read_valid && !read_ready) || (update_valid && !update_ready) || (node_write && !node_written) ||
                   (record_write && !record_written) || (node_ask && !node_asked) || (record_ask && !record_asked);
+
+  logic unused_fraction;
+  assign unused_fraction = ^{u_fine_i[PLACE-COORDINATE-1:0], v_fine_i[PLACE-COORDINATE-1:0]};
 
   `GNOMON_ASSERT(a_one_pass, !(corner_valid && ask))
   `GNOMON_ASSERT(a_one_source, !(reader_valid && state_valid))

@@ -79,7 +79,10 @@ module topology_hit #(
   assign level1 = {zero[4:3], zero[2]};
   assign hit0   = (below0 == '0 || (below0 | level0) == '1) && level0 != '1;
   assign hit1   = (below1 == '0 || (below1 | level1) == '1) && level1 != '1;
-  always_ff @(posedge clk_i) hit_o <= hit0 || hit1;
+  logic open0, open1;
+  assign open0  = mutations_pkg::TOPOLOGY_OPEN_SIDES && level0 != '0;
+  assign open1  = mutations_pkg::TOPOLOGY_OPEN_SIDES && level1 != '0;
+  always_ff @(posedge clk_i) hit_o <= (hit0 && !open0) || (hit1 && !open1);
 
   logic [3:0] valid_q;
   always_ff @(posedge clk_i) begin

@@ -32,8 +32,9 @@ module topology_link #(
   assign nearest = present_i ? stored_near : '1;
 
   assign head_o = {
-    dropped || !node_write_o, linked || node_write_o, (far < nearest) ? far : nearest,
-    node_write_o ? node_index_o : head
+    dropped || (!node_write_o && !mutations_pkg::TOPOLOGY_LOSE_DROPPED), linked || node_write_o,
+    (far < nearest || mutations_pkg::TOPOLOGY_NEAR_LAST) ? far : nearest,
+    (node_write_o && !(mutations_pkg::TOPOLOGY_KEEP_HEAD && linked)) ? node_index_o : head
   };
   assign node_o = {!linked, head, far, quad};
 

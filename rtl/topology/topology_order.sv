@@ -5,13 +5,15 @@
 `include "assertions.svh"
 
 module topology_order #(
-  parameter int unsigned WALKS_LOG2 = 6
+  parameter int unsigned WALKS_LOG2     = 6,
+  parameter bit          EN_PERSPECTIVE = 1'b0
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
   // A voxel; one that is walked for is taken only if a number is free.
   input  logic                           voxel_valid_i,
   output logic                           voxel_ready_o,
+  input  logic                           unreached_i, behind_i,  // nothing else is set then
   input  logic                           facing_away_i, off_plane_i, uncertain_i, walked_i, dropped_i,
   output logic                           walk_free_o,
   output logic [WALKS_LOG2-1:0]          walk_o,        // number of the next walk
@@ -29,11 +31,22 @@ module topology_order #(
   localparam int unsigned ORDER_LOG2 = W + 2;  // voxels that need no walk take little room
   localparam int unsigned WALK       = 1 + topology_pkg::NUMBER_BITS + 2 * topology_pkg::COUNT_BITS;
 
-  logic order_valid, facing_away, off_plane, uncertain, walked, dropped, give;
-  stream_fifo #(.WIDTH(5), .DEPTH_LOG2(ORDER_LOG2)) u_order (
-    .clk_i, .rst_ni, .valid_i(voxel_valid_i), .ready_o(voxel_ready_o),
-    .data_i({facing_away_i, off_plane_i, uncertain_i, walked_i, dropped_i}), .valid_o(order_valid), .ready_i(give),
-    .data_o({facing_away, off_plane, uncertain, walked, dropped})
+  localparam int unsigned WAITS = EN_PERSPECTIVE ? 7 : 5;  // bits of a voxel that waits
+  logic [WAITS-1:0] waits, waiting;
+  logic unreached, behind, order_valid, facing_away, off_plane, uncertain, walked, dropped, give;
+  assign waits[4:0] = {facing_away_i, off_plane_i, uncertain_i, walked_i, dropped_i};
+  assign {facing_away, off_plane, uncertain, walked, dropped} = waiting[4:0];
+  if (EN_PERSPECTIVE) begin : gen_reach
+    assign waits[6:5]          = {unreached_i, behind_i};
+    assign {unreached, behind} = waiting[6:5];
+  end else begin : gen_no_reach
+    assign {unreached, behind} = '0;
+    logic unused_reach;
+    assign unused_reach = unreached_i ^ behind_i;
+  end
+  stream_fifo #(.WIDTH(WAITS), .DEPTH_LOG2(ORDER_LOG2)) u_order (
+    .clk_i, .rst_ni, .valid_i(voxel_valid_i), .ready_o(voxel_ready_o), .data_i(waits), .valid_o(order_valid),
+    .ready_i(give), .data_o(waiting)
   );
 
   // ---- Walks, by number: a ring ----
@@ -69,7 +82,7 @@ module topology_order #(
   assign walk           = results_q[oldest_q[W-1:0]];
   assign result_valid_o = order_valid && (!walked || done_q[oldest_q[W-1:0]]);
   assign give           = result_valid_o && result_ready_i;
-  assign shadow         = facing_away || (walked && walk.hit) || dropped;
+  assign shadow         = unreached || facing_away || (walked && walk.hit) || dropped;
   always_comb begin
     result_o.code        = topology_pkg::RESULT_TOPOLOGY_STATE;
     result_o.state       = shadow ? gnomon_pkg::STATE_SHADOW : gnomon_pkg::STATE_LIT;
@@ -77,8 +90,8 @@ module topology_order #(
     result_o.off_plane   = off_plane;
     result_o.uncertain   = uncertain;
     result_o.hit         = walked && walk.hit;
-    result_o.fallback    = dropped && !result_o.hit;
-    result_o.zero        = 1'b0;
+    result_o.fallback    = behind || (dropped && !result_o.hit);
+    result_o.unreached   = unreached;
     result_o.quad        = walked ? walk.quad : '1;
     result_o.visited     = walked ? walk.visited : '0;
     result_o.tested      = walked ? walk.tested : '0;
@@ -87,6 +100,7 @@ module topology_order #(
 
   `GNOMON_ASSERT(a_walk_is_free, !begin_walk || walk_free_o)
   `GNOMON_ASSERT(a_done_once, !done_i || !done_q[done_walk_i])
+  `GNOMON_ASSERT(a_unreached_is_all, !voxel_valid_i || !unreached_i || !(facing_away_i || off_plane_i || uncertain_i))
   `GNOMON_ASSERT(a_dropped_is_uncertain, !voxel_valid_i || !dropped_i || uncertain_i)
   `GNOMON_ASSERT_STREAM(a_result_stable, result_valid_o, result_ready_i, result_o)
 

@@ -18,7 +18,7 @@ package topology_pkg;
     logic                   uncertain;
     logic                   hit;
     logic                   fallback;
-    logic                   zero;
+    logic                   unreached;  // with fallback: behind the light; without: outside its cone
     logic [NUMBER_BITS-1:0] quad;
     logic [COUNT_BITS-1:0]  visited;
     logic [COUNT_BITS-1:0]  tested;
@@ -65,6 +65,11 @@ package topology_pkg;
   // List head as its memory keeps it behind the generation: {dropped, linked, near, head}.
   function automatic int unsigned head_bits(int unsigned d, int unsigned nodes_log2);
     head_bits = 2 + d + nodes_log2;
+  endfunction
+  // What travels with the read of a head: {unreached, behind (both only in hardware with the perspective projection),
+  // facing away, off the plane, sorted, limit, v, u}.
+  function automatic int unsigned head_tag_bits(bit en_perspective, int unsigned d, int unsigned place);
+    head_tag_bits = (en_perspective ? 5 : 3) + d + 2 * place;
   endfunction
   // {last, next, far, quad}
   function automatic int unsigned node_bits(int unsigned d, int unsigned nodes_log2, int unsigned quads_log2);

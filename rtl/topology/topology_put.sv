@@ -23,6 +23,7 @@ module topology_put #(
   input  logic                         clear_i,         // numbers of quads and nodes begin again; only while idle
   input  logic                         corner_valid_i,
   output logic                         corner_ready_o,
+  input  logic                         behind_i,
   input  logic signed [COORDINATE-1:0] u_i, v_i,
   input  logic [DEPTH_BITS-1:0]        depth_i,
   input  logic                         saturated_i,
@@ -47,7 +48,8 @@ module topology_put #(
   output logic [RECORD-1:0]            record_o,
   output logic                         idle_o,          // also between the corners of a quad
   // Events.
-  output logic                         put_o, clipped_o, missed_o, too_large_o, saturated_o, linked_o, dropped_o
+  output logic                         put_o, clipped_o, missed_o, too_large_o, saturated_o, behind_o, straddling_o,
+  output logic                         linked_o, dropped_o
 );
 
   // ---- Quads ----
@@ -62,10 +64,10 @@ module topology_put #(
     .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2),
     .QUADS_LOG2(QUADS_LOG2)
   ) u_quad (
-    .clk_i, .rst_ni, .clear_i, .corner_valid_i, .corner_ready_o, .u_i, .v_i, .depth_i, .saturated_i,
+    .clk_i, .rst_ni, .clear_i, .corner_valid_i, .corner_ready_o, .behind_i, .u_i, .v_i, .depth_i, .saturated_i,
     .quad_valid_o(quad_valid), .quad_ready_i(quad_ready), .storable_o(storable), .number_o(number), .far_o(far),
     .u_low_o(u_low), .u_high_o(u_high), .v_low_o(v_low), .v_high_o(v_high), .record_o(record), .idle_o(quad_idle),
-    .put_o, .clipped_o, .missed_o, .too_large_o, .saturated_o
+    .put_o, .clipped_o, .missed_o, .too_large_o, .saturated_o, .behind_o, .straddling_o
   );
   stream_fifo #(.WIDTH(QUAD), .DEPTH_LOG2(QUEUE_LOG2)) u_queue (
     .clk_i, .rst_ni, .valid_i(quad_valid), .ready_o(quad_ready),

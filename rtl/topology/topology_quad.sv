@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four corners become a quad: its number, its box on the plane, its far depth and its record. Quads that miss the plane
-// end here. A corner a cycle.
+// Four corners become a quad: its number, its box on the plane, its far depth and its record. Quads that miss the plane,
+// or have a corner behind the light, end here. A corner a cycle.
 
 `include "assertions.svh"
 
@@ -19,6 +19,7 @@ module topology_quad #(
   input  logic                         clear_i,       // numbers begin again; only between quads
   input  logic                         corner_valid_i,
   output logic                         corner_ready_o,
+  input  logic                         behind_i,      // the rest of the corner means nothing then
   input  logic signed [COORDINATE-1:0] u_i, v_i,      // sub-entries
   input  logic [DEPTH_BITS-1:0]        depth_i,
   input  logic                         saturated_i,   // the depth was
@@ -35,7 +36,9 @@ module topology_quad #(
   output logic                         clipped_o,     // its box was clipped or misses the plane
   output logic                         missed_o,
   output logic                         too_large_o,
-  output logic                         saturated_o
+  output logic                         saturated_o,
+  output logic                         behind_o,      // all corners are
+  output logic                         straddling_o   // some are
 );
 
   localparam int unsigned C     = COORDINATE;
@@ -51,6 +54,7 @@ module topology_quad #(
   logic signed [ENTRY-1:0] u_low_q, u_high_q, v_low_q, v_high_q;
   logic [D-1:0]            far, far_q;
   logic                    saturated, saturated_q, full_q, leave;
+  logic                    all_behind, all_behind_q, some_behind, some_behind_q;
 
   assign first          = count_q == 2'd0;
   assign last           = count_q == 2'd3;
@@ -65,6 +69,8 @@ module topology_quad #(
   assign v_high    = (first || v > v_high_q) ? v : v_high_q;
   assign far       = (first || depth_i > far_q) ? depth_i : far_q;
   assign saturated = saturated_i || (!first && saturated_q);
+  assign all_behind  = behind_i && (first || all_behind_q);
+  assign some_behind = behind_i || (!first && some_behind_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -86,6 +92,8 @@ module topology_quad #(
       v_high_q    <= v_high;
       far_q       <= far;
       saturated_q <= saturated;
+      all_behind_q  <= all_behind;
+      some_behind_q <= some_behind;
     end
   end
 
@@ -100,14 +108,17 @@ module topology_quad #(
   assign v_span    = v_high_q - v_low_q;
   assign too_large = (u_span >> SPAN_LOG2) != '0 || (v_span >> SPAN_LOG2) != '0;
 
-  assign quad_valid_o = full_q && !missed;
-  assign leave        = full_q && (missed || quad_ready_i);
+  logic ends;
+  assign ends         = missed || (mutations_pkg::PERSPECTIVE_KEEP_STRADDLING ? all_behind_q : some_behind_q);
+  assign quad_valid_o = full_q && !ends;
+  assign leave        = full_q && (ends || quad_ready_i);
   assign storable_o   = !too_large && (number_q >> QUADS_LOG2) == '0 && number_q != '1;  // all ones means none
   assign number_o     = number_q[QUADS_LOG2-1:0];
   assign far_o        = far_q;
   assign u_low_o      = u_low_q[ENTRY-1] ? '0 : u_low_q[PLANE_LOG2-1:0];
   assign v_low_o      = v_low_q[ENTRY-1] ? '0 : v_low_q[PLANE_LOG2-1:0];
-  assign u_high_o     = u_high_q > SIDE_LAST ? '1 : u_high_q[PLANE_LOG2-1:0];
+  assign u_high_o     = u_high_q > SIDE_LAST ? {{(PLANE_LOG2 - 1){1'b1}}, !mutations_pkg::TOPOLOGY_CLIP_SHORT}
+                                             : u_high_q[PLANE_LOG2-1:0];
   assign v_high_o     = v_high_q > SIDE_LAST ? '1 : v_high_q[PLANE_LOG2-1:0];
 
   // From the base: the fraction stays, entries below 2^SPAN_LOG2 where the quad is storable.
@@ -129,10 +140,12 @@ module topology_quad #(
 
   assign idle_o      = !full_q;
   assign put_o       = leave;
-  assign clipped_o   = leave && clipped;
-  assign missed_o    = leave && missed;
-  assign too_large_o = leave && !missed && too_large;
-  assign saturated_o = leave && !missed && saturated_q;
+  assign clipped_o   = leave && !some_behind_q && clipped;
+  assign missed_o    = leave && !some_behind_q && missed;
+  assign too_large_o = leave && !ends && too_large;
+  assign saturated_o = leave && !ends && saturated_q;
+  assign behind_o     = leave && all_behind_q;
+  assign straddling_o = leave && some_behind_q && !all_behind_q;
 
   `GNOMON_ASSERT(a_clear_between_quads, !clear_i || (count_q == '0 && !full_q && !corner_valid_i))
   `GNOMON_ASSERT_STREAM(a_quad_stable, quad_valid_o, quad_ready_i, {number_o, far_o, record_o, u_low_o, v_high_o})

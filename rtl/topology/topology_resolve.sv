@@ -4,22 +4,19 @@
 `include "assertions.svh"
 
 module topology_resolve #(
-  parameter int unsigned POSITION_BITS    = 10,
-  parameter int unsigned NORMAL_BITS      = 9,
-  parameter int unsigned MATRIX_FRAC_BITS = 22,
   parameter int unsigned DEPTH_BITS       = 20,
   parameter int unsigned PLANE_LOG2       = 9,
+  parameter bit          EN_PERSPECTIVE   = 1'b0,
   parameter int unsigned SUB_BITS         = 4,
   parameter int unsigned SPAN_LOG2        = 4,
   parameter int unsigned NODES_LOG2       = 20,
   parameter int unsigned QUADS_LOG2       = 18,
   parameter int unsigned WALKS_LOG2       = 6,
   // Derived; not to be overridden.
-  parameter int unsigned UV_SUM   = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, POSITION_BITS, NORMAL_BITS),
-  parameter int unsigned D_SUM    = gnomon_pkg::depth_offset_bits(DEPTH_BITS, POSITION_BITS, NORMAL_BITS),
+  parameter int unsigned FINE     = gnomon_pkg::place_bits(PLANE_LOG2),
   parameter int unsigned PLACE    = PLANE_LOG2 + SUB_BITS,
   parameter int unsigned HEAD     = topology_pkg::head_bits(DEPTH_BITS, NODES_LOG2),
-  parameter int unsigned HEAD_TAG = 3 + DEPTH_BITS + 2 * PLACE,
+  parameter int unsigned HEAD_TAG = topology_pkg::head_tag_bits(EN_PERSPECTIVE, DEPTH_BITS, PLACE),
   parameter int unsigned NODE     = topology_pkg::node_bits(DEPTH_BITS, NODES_LOG2, QUADS_LOG2),
   parameter int unsigned NODE_TAG = 2 * topology_pkg::COUNT_BITS + WALKS_LOG2,
   parameter int unsigned RECORD     = topology_pkg::record_bits(SUB_BITS, SPAN_LOG2),
@@ -27,14 +24,15 @@ module topology_resolve #(
 ) (
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
-  input  logic                                      en_i,     // the pipeline up to the read moves
-  // Stage 3: a voxel, whether it faces away, its arguments; stage 4: its lifted point.
+  // A voxel with its lifted point.
   input  logic                                      valid_i,
+  input  logic                                      behind_i,
+  input  logic                                      outside_cone_i,
   input  logic                                      facing_away_i,
   input  logic                                      sorted_i,
   input  logic [DEPTH_BITS-1:0]                     clearance_i,
-  input  logic signed [UV_SUM-1:0]                  u_sum_i, v_sum_i,
-  input  logic signed [D_SUM-1:0]                   d_sum_i,
+  input  logic signed [FINE-1:0]                    u_moved_i, v_moved_i,
+  input  logic [DEPTH_BITS-1:0]                     depth_moved_i,
   output logic                                      idle_o,   // but for reads under way
   // List heads.
   output logic                                      read_valid_o,
@@ -74,44 +72,32 @@ module topology_resolve #(
 
   localparam int unsigned D = DEPTH_BITS;
 
-  // ---- Stages 4 and 5 ----
-  logic             off_plane;
+  // ---- The beam, floored to sub-entries ----
+  localparam int unsigned DROP = gnomon_pkg::PLACE_FRAC_BITS - SUB_BITS;
+  logic             off_plane, unused_fraction;
   logic [PLACE-1:0] u, v;
-  logic [D-1:0]     depth;
-  topology_lift #(
-    .POSITION_BITS(POSITION_BITS), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(D),
-    .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS)
-  ) u_lift (
-    .clk_i, .en_i, .u_sum_i, .v_sum_i, .d_sum_i, .off_plane_o(off_plane), .u_o(u), .v_o(v), .depth_o(depth)
-  );
-  logic         valid4_q, valid5_q, facing_away4_q, facing_away5_q, sorted4_q, sorted5_q;
-  logic [D-1:0] clearance4_q, clearance5_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid4_q <= 1'b0;
-      valid5_q <= 1'b0;
-    end else if (en_i) begin
-      valid4_q <= valid_i;
-      valid5_q <= valid4_q;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      facing_away4_q <= facing_away_i;
-      sorted4_q      <= sorted_i;
-      clearance4_q   <= clearance_i;
-      facing_away5_q <= facing_away4_q;
-      sorted5_q      <= sorted4_q;
-      clearance5_q   <= clearance4_q;
-    end
-  end
+  assign u               = u_moved_i[DROP+:PLACE];
+  assign v               = v_moved_i[DROP+:PLACE];
+  assign off_plane       = u_moved_i[FINE-1:DROP+PLACE] != '0 || v_moved_i[FINE-1:DROP+PLACE] != '0;
+  assign unused_fraction = ^{u_moved_i[DROP-1:0], v_moved_i[DROP-1:0]};
 
   // ---- Head read. far + clearance < d_a is far < limit; of a voxel that needs no look, any head will do ----
   logic [D-1:0] limit;
-  assign limit        = (depth > clearance5_q) ? depth - clearance5_q : '0;
-  assign read_valid_o = valid5_q;
+  assign limit        = (depth_moved_i > clearance_i) ? depth_moved_i - clearance_i : '0;
+  assign read_valid_o = valid_i;
   assign read_index_o = {v[PLACE-1:SUB_BITS], u[PLACE-1:SUB_BITS]};
-  assign read_tag_o   = {facing_away5_q, off_plane, sorted5_q, limit, v, u};
+  assign read_tag_o[D+2*PLACE+2:0] = {facing_away_i, off_plane, sorted_i, limit, v, u};
+
+  // ---- What the light does not reach ----
+  logic head_unreached, head_behind;
+  if (EN_PERSPECTIVE) begin : gen_reach
+    assign read_tag_o[HEAD_TAG-1-:2]     = {behind_i || outside_cone_i, behind_i};
+    assign {head_unreached, head_behind} = head_tag_i[HEAD_TAG-1-:2];
+  end else begin : gen_no_reach
+    assign {head_unreached, head_behind} = '0;
+    logic unused_reach;
+    assign unused_reach = behind_i ^ outside_cone_i;
+  end
 
   // ---- The head is known ----
   logic                  dropped, linked, head_facing, head_off, head_sorted, uncertain, walked;
@@ -119,8 +105,8 @@ module topology_resolve #(
   logic [NODES_LOG2-1:0] first;
   logic [PLACE-1:0]      head_u, head_v;
   assign {dropped, linked, nearest, first}                           = head_i;
-  assign {head_facing, head_off, head_sorted, head_limit, head_v, head_u} = head_tag_i;
-  assign uncertain = !head_facing && !head_off && head_present_i && nearest < head_limit;
+  assign {head_facing, head_off, head_sorted, head_limit, head_v, head_u} = head_tag_i[D+2*PLACE+2:0];
+  assign uncertain = !head_unreached && !head_facing && !head_off && head_present_i && nearest < head_limit;
   assign walked    = uncertain && linked;
 
   logic                  walk_ready, walk_free, order_ready, order_idle, may_walk, done;
@@ -128,9 +114,10 @@ module topology_resolve #(
   topology_pkg::walk_t   done_result;
   assign may_walk     = !walked || (walk_free && walk_ready);
   assign head_ready_o = order_ready && may_walk;
-  topology_order #(.WALKS_LOG2(WALKS_LOG2)) u_order (
+  topology_order #(.WALKS_LOG2(WALKS_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE)) u_order (
     .clk_i, .rst_ni, .voxel_valid_i(head_valid_i && may_walk), .voxel_ready_o(order_ready),
-    .facing_away_i(head_facing), .off_plane_i(head_off && !head_facing), .uncertain_i(uncertain), .walked_i(walked),
+    .unreached_i(head_unreached), .behind_i(head_behind), .facing_away_i(head_facing && !head_unreached),
+    .off_plane_i(head_off && !head_facing && !head_unreached), .uncertain_i(uncertain), .walked_i(walked),
     .dropped_i(uncertain && dropped), .walk_free_o(walk_free), .walk_o(walk), .done_i(done), .done_walk_i(done_walk),
     .done_result_i(done_result), .result_valid_o, .result_ready_i, .result_o, .idle_o(order_idle)
   );
@@ -145,7 +132,7 @@ module topology_resolve #(
     .done_o(done), .done_walk_o(done_walk), .done_result_o(done_result), .visited_o, .tested_o
   );
 
-  assign idle_o = !valid4_q && !valid5_q && order_idle;  // and no head is being read
+  assign idle_o = order_idle;  // and no head is being read
 
   `GNOMON_ASSERT_STREAM(a_read_stable, read_valid_o, read_ready_i, {read_index_o, read_tag_o})
   `GNOMON_ASSERT(a_list_or_dropped, !(head_valid_i && uncertain) || linked || dropped)

@@ -143,7 +143,7 @@ module topology_walker #(
   stream_skid #(.WIDTH(SEEN)) u_seen (
     .clk_i, .rst_ni, .valid_i(node_valid_i), .ready_o(node_ready_o),
     .data_i({
-      nearer, node_last || (node_sorted && !nearer), node_next, node_quad, one_more(node_visited), node_tested,
+      nearer, node_last || (node_sorted && !nearer && !mutations_pkg::TOPOLOGY_SORTED_GOES_ON), node_next, node_quad, one_more(node_visited), node_tested,
       node_walk
     }),
     .valid_o(seen_valid), .ready_i(seen_ready),
@@ -175,7 +175,7 @@ module topology_walker #(
   logic             test_done, seen_end, end_valid, end_ready;
   logic [W-1:0]     end_walk;
   logic [COUNT-1:0] end_visited, end_tested;
-  assign test_done    = test_valid && (test_hit || test_last);
+  assign test_done    = test_valid && ((test_hit && !mutations_pkg::TOPOLOGY_NO_EARLY_EXIT) || test_last);
   assign seen_end     = !seen_nearer && seen_last;
   assign tested_valid = test_valid && !test_done;
   assign tested_token = {test_next, test_visited, test_tested, test_walk};

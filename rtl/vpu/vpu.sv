@@ -5,19 +5,13 @@
 `include "assertions.svh"
 
 module vpu #(
-  parameter int unsigned VOXEL_BITS       = 8,
-  parameter int unsigned VOXEL_FRAC_BITS  = 2,
-  parameter int unsigned NORMAL_BITS      = 9,
-  parameter int unsigned MATRIX_FRAC_BITS = 22,
-  parameter int unsigned DEPTH_BITS       = 20,
-  parameter int unsigned PLANE_LOG2       = 9,
-  parameter bit          EN_VPU_OFFSET    = 1'b1,
+  parameter int unsigned DEPTH_BITS     = 20,
+  parameter int unsigned PLANE_LOG2     = 9,
+  parameter bit          EN_VPU_OFFSET  = 1'b1,
+  parameter bit          EN_PERSPECTIVE = 1'b0,
   // Derived; not to be overridden.
-  parameter int unsigned P      = VOXEL_BITS + VOXEL_FRAC_BITS,
-  parameter int unsigned UV_G   = gnomon_pkg::uv_gradient_bits(MATRIX_FRAC_BITS, NORMAL_BITS),
-  parameter int unsigned D_G    = gnomon_pkg::depth_gradient_bits(DEPTH_BITS, P, NORMAL_BITS),
-  parameter int unsigned UV_SUM = gnomon_pkg::uv_offset_bits(MATRIX_FRAC_BITS, P, NORMAL_BITS),
-  parameter int unsigned D_SUM  = gnomon_pkg::depth_offset_bits(DEPTH_BITS, P, NORMAL_BITS)
+  parameter int unsigned PLACE   = gnomon_pkg::place_bits(PLANE_LOG2),
+  parameter int unsigned OWN_TAG = gnomon_pkg::own_tag_bits(EN_PERSPECTIVE)
 ) (
   input  logic                                       clk_i,
   input  logic                                       rst_ni,
@@ -25,24 +19,29 @@ module vpu #(
   input  logic                                       item_valid_i,
   output logic                                       item_ready_o,
   output logic                                       idle_o,          // no item under way
-  // The front end and stages 4 and 5 move together.
+  // The front end moves; registers of the margin test.
   input  logic                                       en_i,
   output logic                                       stall_o,         // an item waits for the plane
-  input  logic [gnomon_pkg::SHIFT_BITS-1:0]          facing_shift_i, tilt_shift_i, delta_shift_i,
+  input  logic [gnomon_pkg::SHIFT_BITS-1:0]          delta_shift_i,
   input  logic [gnomon_pkg::MARGIN_BITS-1:0]         margin_squared_i,
   input  logic [DEPTH_BITS-1:0]                      delta_max_i,
-  // Stage 3: an item on the plane, the gradient of its normal; stage 4: its offset point.
+  // The place of an item.
   input  logic                                       valid_i,
   input  logic [gnomon_pkg::ITEM_KIND_BITS-1:0]      kind_i,
-  input  logic                                       place_off_plane_i,
-  input  logic [2*PLANE_LOG2-1:0]                    place_index_i,
-  input  logic [gnomon_pkg::DEPTH_FIELD_BITS-1:0]    place_depth_i,
-  input  logic                                       place_saturated_i,
-  input  logic signed [UV_G-1:0]                     g_u_i, g_v_i,
-  input  logic signed [D_G-1:0]                      g_d_i,
+  input  logic                                       behind_i,
+  input  logic signed [PLACE-1:0]                    u_fine_i, v_fine_i,
+  input  logic [DEPTH_BITS-1:0]                      depth_i,
+  input  logic                                       saturated_i,
+  // Two stages later: its offset point.
+  input  logic                                       moved_valid_i,
+  input  logic [gnomon_pkg::ITEM_KIND_BITS-1:0]      moved_kind_i,
+  input  logic                                       moved_behind_i,
+  input  logic                                       outside_cone_i,
   input  logic                                       facing_away_i,
-  input  logic signed [UV_SUM-1:0]                   u_sum_i, v_sum_i,
-  input  logic signed [D_SUM-1:0]                    d_sum_i,
+  input  logic signed [PLACE-1:0]                    u_moved_i, v_moved_i,
+  input  logic [DEPTH_BITS-1:0]                      depth_moved_i,
+  input  gnomon_pkg::slopes_t                        slopes_i,
+  input  logic [DEPTH_BITS-1:0]                      item_delta_max_i,
   // Update port of the plane.
   output logic                                       update_valid_o,
   input  logic                                       update_ready_i,
@@ -56,11 +55,11 @@ module vpu #(
   output logic                                       read0_valid_o,
   input  logic                                       read0_ready_i,
   output logic [2*PLANE_LOG2-1:0]                    read0_index_o,
-  output gnomon_pkg::own_tag_t                       read0_tag_o,
+  output logic [OWN_TAG-1:0]                         read0_tag_o,
   input  logic                                       entry0_valid_i,
   output logic                                       entry0_ready_o,
   input  gnomon_pkg::plane_entry_t                   entry0_i,
-  input  gnomon_pkg::own_tag_t                       entry0_tag_i,
+  input  logic [OWN_TAG-1:0]                         entry0_tag_i,
   output logic                                       read1_valid_o,
   input  logic                                       read1_ready_i,
   output logic [2*PLANE_LOG2-1:0]                    read1_index_o,
@@ -76,7 +75,8 @@ module vpu #(
   // Events of the project pass, one cycle a voxel.
   output logic                                       projected_o,
   output logic                                       off_plane_o,
-  output logic                                       saturated_o
+  output logic                                       saturated_o,
+  output logic                                       behind_o
 );
 
   // ---- Items under way; with the count at its end no item is taken, so that it never wraps whatever the latency ----
@@ -94,32 +94,42 @@ module vpu #(
     else if (!take && give) count_q <= count_q - 1'b1;
   end
 
-  // ---- Project pass: stage 3 offers its depth to the plane ----
+  // ---- The place as an entry: 0 <= u, v < 2^PLANE_LOG2 has no bit set above ----
+  localparam int unsigned FRAC  = gnomon_pkg::PLACE_FRAC_BITS;
+  localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
+  logic                    off_plane;
+  logic [2*PLANE_LOG2-1:0] index;
+  logic                    unused_fraction;
+  assign off_plane       = u_fine_i[PLACE-1:FRAC+PLANE_LOG2] != '0 || v_fine_i[PLACE-1:FRAC+PLANE_LOG2] != '0;
+  assign index           = {v_fine_i[FRAC+:PLANE_LOG2], u_fine_i[FRAC+:PLANE_LOG2]};
+  assign unused_fraction = ^{u_fine_i[FRAC-1:0], v_fine_i[FRAC-1:0]};
+
+  // ---- Project pass: an item offers its depth to the plane ----
   logic project;
   assign project          = valid_i && kind_i == gnomon_pkg::ITEM_PROJECT;
-  assign update_valid_o   = project && !place_off_plane_i;
-  assign update_index_o   = place_index_i;
-  assign update_operand_o = place_depth_i;
+  assign update_valid_o   = project && !behind_i && !off_plane;
+  assign update_index_o   = index;
+  assign update_operand_o = DEPTH'(depth_i);
   assign update_stall     = update_valid_o && !update_ready_i;
   vpu_nearest u_nearest (
     .entry_i(modify_entry_i), .depth_i(modify_operand_i), .write_o(modify_write_o), .depth_o(modify_depth_o)
   );
 
   assign projected_o = project && en_i;
-  assign off_plane_o = projected_o && place_off_plane_i;
-  assign saturated_o = projected_o && !place_off_plane_i && place_saturated_i;
+  assign off_plane_o = projected_o && !behind_i && off_plane;
+  assign saturated_o = projected_o && !behind_i && !off_plane && saturated_i;
+  assign behind_o    = projected_o && behind_i;
   assign give        = projected_o || (result_valid_o && result_ready_i);
 
   // ---- Resolve pass ----
   if (EN_VPU_OFFSET) begin : gen_resolve
     vpu_resolve #(
-      .POSITION_BITS(P), .NORMAL_BITS(NORMAL_BITS), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS),
-      .PLANE_LOG2(PLANE_LOG2)
+      .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE)
     ) u_resolve (
-      .clk_i, .rst_ni, .en_i, .stall_o(read_stall), .facing_shift_i, .tilt_shift_i, .delta_shift_i,
-      .margin_squared_i, .delta_max_i, .valid_i(valid_i && kind_i == gnomon_pkg::ITEM_OFFSET),
-      .off_plane_i(place_off_plane_i), .index_i(place_index_i), .depth_i(place_depth_i), .g_u_i, .g_v_i, .g_d_i,
-      .facing_away_i, .u_sum_i, .v_sum_i, .d_sum_i,
+      .clk_i, .rst_ni, .en_i, .stall_o(read_stall), .delta_shift_i, .margin_squared_i, .delta_max_i,
+      .off_plane_i(off_plane), .index_i(index), .depth_i,
+      .valid_i(moved_valid_i && moved_kind_i == gnomon_pkg::ITEM_OFFSET), .behind_i(moved_behind_i), .outside_cone_i,
+      .facing_away_i, .u_moved_i, .v_moved_i, .depth_moved_i, .slopes_i, .item_delta_max_i,
       .read0_valid_o, .read0_ready_i, .read0_index_o, .read0_tag_o,
       .entry0_valid_i, .entry0_ready_o, .entry0_i, .entry0_tag_i,
       .read1_valid_o, .read1_ready_i, .read1_index_o, .read1_tag_o,
@@ -141,9 +151,9 @@ module vpu #(
 
     logic unused_resolve;
     assign unused_resolve = ^{
-      g_u_i, g_v_i, g_d_i, facing_away_i, u_sum_i, v_sum_i, d_sum_i, facing_shift_i, tilt_shift_i, delta_shift_i,
-      margin_squared_i, delta_max_i, read0_ready_i, read1_ready_i, entry0_valid_i, entry0_i, entry0_tag_i,
-      entry1_valid_i, entry1_i, entry1_tag_i, result_ready_i
+      moved_valid_i, moved_kind_i, moved_behind_i, outside_cone_i, facing_away_i, u_moved_i, v_moved_i, depth_moved_i,
+      slopes_i, item_delta_max_i, delta_shift_i, margin_squared_i, delta_max_i, read0_ready_i, read1_ready_i,
+      entry0_valid_i, entry0_i, entry0_tag_i, entry1_valid_i, entry1_i, entry1_tag_i, result_ready_i
     };
   end
 

@@ -6,7 +6,10 @@
 `include "assertions.svh"
 
 module vpu_margin #(
-  parameter int unsigned DEPTH_BITS = 20
+  parameter int unsigned DEPTH_BITS     = 20,
+  parameter bit          EN_PERSPECTIVE = 1'b0,
+  // Derived; not to be overridden.
+  parameter int unsigned OWN_TAG = gnomon_pkg::own_tag_bits(EN_PERSPECTIVE)
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
@@ -17,7 +20,7 @@ module vpu_margin #(
   input  logic                                  own_valid_i,
   output logic                                  own_ready_o,
   input  gnomon_pkg::plane_entry_t              own_entry_i,
-  input  gnomon_pkg::own_tag_t                  own_tag_i,
+  input  logic [OWN_TAG-1:0]                    own_tag_i,
   input  logic                                  offset_valid_i,
   output logic                                  offset_ready_o,
   input  gnomon_pkg::plane_entry_t              offset_entry_i,
@@ -46,24 +49,53 @@ module vpu_margin #(
     else if (en) valid_q <= {valid_q[4:1], own_valid_i && offset_valid_i};
   end
 
+  // ---- What came with the own entry ----
+  gnomon_pkg::own_tag_t   own_tag;
+  gnomon_pkg::reach_tag_t reach;    // outside of the block below: Yosys asks for it
+  logic                   behind, outside_cone, unreached;
+  logic [DEPTH-1:0]       delta_max;  // in stage 1
+  assign own_tag   = own_tag_i[gnomon_pkg::OWN_TAG_BITS-1:0];
+  assign unreached = behind || outside_cone;
+  if (EN_PERSPECTIVE) begin : gen_reach
+    logic [DEPTH-1:0] delta_max1_q;
+    logic             unused_delta_max;
+    assign reach            = own_tag_i[OWN_TAG-1:gnomon_pkg::OWN_TAG_BITS];
+    assign behind           = reach.behind;
+    assign outside_cone     = reach.outside_cone;
+    assign delta_max        = delta_max1_q;
+    assign unused_delta_max = ^delta_max_i;
+    always_ff @(posedge clk_i) begin
+      if (en) delta_max1_q <= reach.delta_max;
+    end
+  end else begin : gen_no_reach
+    logic unused_reach;
+    assign reach        = '0;
+    assign behind       = 1'b0;
+    assign outside_cone = 1'b0;
+    assign delta_max    = DEPTH'(delta_max_i);
+    assign unused_reach = ^reach;
+  end
+
   // ---- Stage 1: what the own entry says; delta ----
-  logic             own_hole, uncertain, offset_hole, behind;
+  logic             own_hole, uncertain, offset_hole, farther;
   logic [DEPTH-1:0] delta;
-  assign own_hole    = own_tag_i.off_plane || !own_entry_i.present;
-  assign uncertain   = !own_tag_i.facing_away && !own_hole && own_entry_i.depth < own_tag_i.depth;
+  assign own_hole    = own_tag.off_plane || !own_entry_i.present;
+  assign uncertain   = !unreached && !own_tag.facing_away && !own_hole && own_entry_i.depth < own_tag.depth;
   assign offset_hole = offset_tag_i.off_plane || !offset_entry_i.present;
-  assign behind      = uncertain && !offset_hole && offset_tag_i.depth > offset_entry_i.depth;
-  assign delta       = behind ? offset_tag_i.depth - offset_entry_i.depth : '0;  // max(0, ...), below 2^DEPTH_BITS
+  assign farther     = uncertain && !offset_hole && offset_tag_i.depth > offset_entry_i.depth;
+  assign delta       = farther ? offset_tag_i.depth - offset_entry_i.depth : '0;  // max(0, ...), below 2^DEPTH_BITS
 
   // The answer so far travels in the result word itself; code and state are set at the end.
   gnomon_pkg::voxel_result_t so_far, result1_q, result2_q, result3_q, result4_q;
   always_comb begin
     so_far              = '0;
-    so_far.facing_away  = own_tag_i.facing_away;
-    so_far.off_plane    = own_tag_i.off_plane;
+    so_far.facing_away  = own_tag.facing_away && !unreached;
+    so_far.off_plane    = own_tag.off_plane && !behind;
+    so_far.beyond_max   = behind;
+    so_far.unreached    = unreached;
     so_far.uncertain    = uncertain;
     so_far.offset_empty = uncertain && offset_hole;
-    so_far.nearest      = (own_tag_i.facing_away || own_hole) ? '1 : own_entry_i.depth;
+    so_far.nearest      = (unreached || own_tag.facing_away || own_hole) ? '1 : own_entry_i.depth;
     so_far.delta        = delta;
   end
 
@@ -74,7 +106,7 @@ module vpu_margin #(
   logic [DNORM-1:0]   delta_norm, delta2_q;
   logic [NORM-1:0]    facing2_q;
   logic [2*NORM-1:0]  tilt_u2_q, tilt_v2_q;
-  assign beyond_max = result1_q.delta > DEPTH'(delta_max_i);
+  assign beyond_max = result1_q.delta > delta_max;
   vpu_normalise #(.IN_BITS(DEPTH), .OUT_BITS(DNORM)) u_delta (
     .value_i(result1_q.delta), .shift_i(delta_shift_i), .value_o(delta_norm)
   );
@@ -89,7 +121,7 @@ module vpu_margin #(
   logic                      above, shadow;
   gnomon_pkg::voxel_result_t final_result, result5_q;
   assign above  = RHS'(lhs4_q) > rhs4_q || (mutations_pkg::MARGIN_OR_EQUAL && RHS'(lhs4_q) == rhs4_q);
-  assign shadow = result4_q.facing_away || result4_q.beyond_max || above;
+  assign shadow = result4_q.unreached || result4_q.facing_away || result4_q.beyond_max || above;
   always_comb begin
     final_result       = result4_q;
     final_result.code  = gnomon_pkg::RESULT_VOXEL_STATE;
@@ -99,12 +131,12 @@ module vpu_margin #(
   always_ff @(posedge clk_i) begin
     if (en) begin
       result1_q <= so_far;
-      facing1_q <= own_tag_i.facing;
+      facing1_q <= own_tag.facing;
       tilt_u1_q <= offset_tag_i.tilt_u;
       tilt_v1_q <= offset_tag_i.tilt_v;
 
       result2_q            <= result1_q;
-      result2_q.beyond_max <= beyond_max;
+      result2_q.beyond_max <= result1_q.beyond_max || beyond_max;
       delta2_q             <= delta_norm;
       facing2_q            <= facing1_q;
       tilt_u2_q            <= (2*NORM)'(tilt_u1_q) * (2*NORM)'(tilt_u1_q);

@@ -37,7 +37,7 @@ Outcome run(const std::string& command) {
   return outcome;
 }
 
-using Parameters = std::array<std::pair<const char*, int>, 20>;
+using Parameters = std::array<std::pair<const char*, int>, 21>;
 Parameters parameters(const HardwareConfig& config) {
   return {{{"VOXEL_BITS", config.voxel_bits},
            {"VOXEL_FRAC_BITS", config.voxel_frac_bits},
@@ -46,6 +46,7 @@ Parameters parameters(const HardwareConfig& config) {
            {"DEPTH_BITS", config.depth_bits},
            {"PLANE_LOG2", config.plane_log2},
            {"EN_VPU_OFFSET", config.en_vpu_offset ? 1 : 0},
+           {"EN_PERSPECTIVE", config.en_perspective ? 1 : 0},
            {"EN_VPU_TOPOLOGY", config.en_vpu_topology ? 1 : 0},
            {"SUB_BITS", config.sub_bits},
            {"SPAN_LOG2", config.span_log2},
@@ -74,7 +75,9 @@ Outcome verilator(const HardwareConfig& config, const std::string& more = {}) {
 Outcome yosys(const HardwareConfig& config, const std::string& sources, const std::string& top) {
   std::string script = "read_verilog -sv -I" RTL_DIR "/common " + sources + "; hierarchy -check -top " + top;
   for (const auto& [name, value] : parameters(config)) {
-    if (top == "parameter_check" && std::string_view(name) == "EN_VPU_OFFSET") continue;  // legal either way
+    const std::string_view parameter = name;
+    if (top == "parameter_check" && (parameter == "EN_VPU_OFFSET" || parameter == "EN_PERSPECTIVE"))
+      continue;  // legal either way
     script += std::string(" -chparam ") + name + " " + std::to_string(value);
   }
   return run(YOSYS_PROGRAM " -q -p '" + script + "; proc; check -assert'");
@@ -106,33 +109,38 @@ TEST(Elaboration, YosysReadsAndChecksBuildsOfTheCoveringArray) {
 }
 
 TEST(Elaboration, TopologyModesExtremesAreLintClean) {
-  for (const HardwareConfig& config : {HardwareConfig{.en_vpu_topology = true},
-                                       HardwareConfig{.voxel_bits = 4,
-                                       .voxel_frac_bits = 0,
-                                       .normal_bits = 4,
-                                       .matrix_frac_bits = 12,
-                                       .depth_bits = 8,
-                                       .plane_log2 = 12,
-                                       .en_vpu_offset = false,
-                                       .en_vpu_topology = true,
-                                       .sub_bits = 8,
-                                       .span_log2 = 2,
-                                       .nodes_log2 = 24,
-                                       .quads_log2 = 4},
-                                       HardwareConfig{.voxel_bits = 11,
-                                       .voxel_frac_bits = 5,
-                                       .normal_bits = 5,
-                                       .matrix_frac_bits = 28,
-                                       .depth_bits = 24,
-                                       .plane_log2 = 4,
-                                       .en_vpu_topology = true,
-                                       .sub_bits = 2,
-                                       .span_log2 = 6,
-                                       .nodes_log2 = 4,
-                                       .quads_log2 = 24}}) {
+  for (HardwareConfig config : {HardwareConfig{.en_vpu_topology = true},
+                                HardwareConfig{.voxel_bits = 4,
+                                .voxel_frac_bits = 0,
+                                .normal_bits = 4,
+                                .matrix_frac_bits = 12,
+                                .depth_bits = 8,
+                                .plane_log2 = 12,
+                                .en_vpu_offset = false,
+                                .en_vpu_topology = true,
+                                .sub_bits = 8,
+                                .span_log2 = 2,
+                                .nodes_log2 = 24,
+                                .quads_log2 = 4},
+                                HardwareConfig{.voxel_bits = 11,
+                                .voxel_frac_bits = 5,
+                                .normal_bits = 5,
+                                .matrix_frac_bits = 28,
+                                .depth_bits = 24,
+                                .plane_log2 = 4,
+                                .en_vpu_topology = true,
+                                .sub_bits = 2,
+                                .span_log2 = 6,
+                                .nodes_log2 = 4,
+                                .quads_log2 = 24}}) {
+    EXPECT_EQ(verilator(config).text, "");
+    config.en_perspective = true;
     EXPECT_EQ(verilator(config).text, "");
   }
-  EXPECT_EQ(yosys({.plane_log2 = 4, .en_vpu_topology = true, .nodes_log2 = 6, .quads_log2 = 5}).status, 0);
+  HardwareConfig both{.plane_log2 = 4, .en_vpu_topology = true, .nodes_log2 = 6, .quads_log2 = 5};
+  EXPECT_EQ(yosys(both).status, 0);
+  both.en_perspective = true;
+  EXPECT_EQ(yosys(both).status, 0);
 }
 
 struct Illegal {

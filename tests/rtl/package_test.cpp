@@ -29,7 +29,11 @@ template <class Model>
 struct Build;
 template <>
 struct Build<Vprobe_default> {
-  static HardwareConfig config() { return {}; }
+  static HardwareConfig config() {
+    HardwareConfig config;
+    config.en_perspective = true;
+    return config;
+  }
 };
 template <>
 struct Build<Vprobe_wide> {  // as in CMakeLists.txt
@@ -39,7 +43,8 @@ struct Build<Vprobe_wide> {  // as in CMakeLists.txt
             .normal_bits = 5,
             .matrix_frac_bits = 28,
             .depth_bits = 24,
-            .plane_log2 = 9};
+            .plane_log2 = 12,
+            .en_perspective = true};
   }
 };
 
@@ -56,7 +61,7 @@ using Probes = testing::Types<Vprobe_default, Vprobe_wide>;
 TYPED_TEST_SUITE(Package, Probes);
 
 TYPED_TEST(Package, ConstantsAreTheCodecs) {
-  const std::array<std::uint64_t, 32> expected{
+  const std::array<std::uint64_t, 35> expected{
       std::uint64_t(Op::Nop),
       std::uint64_t(Op::SetRegisters),
       std::uint64_t(Op::ClearPlane),
@@ -89,6 +94,9 @@ TYPED_TEST(Package, ConstantsAreTheCodecs) {
       sim::kFirstSlbCounter,
       sim::kFirstCycleCounter,
       sim::kPassNames.size() - 1,
+      kAllRegisterCount,
+      sim::kPerspectiveEventNames.size(),
+      sim::kFirstPerspectiveCounter,
   };
   for (std::size_t i = 0; i < expected.size(); ++i) {
     this->probe_.constant_i = static_cast<CData>(i);
@@ -113,7 +121,7 @@ TYPED_TEST(Package, HeadersHaveTheCodecsFields) {
 TYPED_TEST(Package, ResultsAreEncodedAsTheCodecDoes) {
   auto& probe = this->probe_;
   for (int i = 0; i < 1000; ++i) {
-    const FenceResult fence{static_cast<std::uint32_t>(this->bits(11)) & 0x707u,
+    const FenceResult fence{static_cast<std::uint32_t>(this->bits(11)) & 0x727u,
                             static_cast<std::uint32_t>(this->bits(32))};
     const PlaneEntryResult entry{static_cast<std::uint32_t>(this->bits(24)), this->bits(1) != 0,
                                  static_cast<std::uint32_t>(this->bits(24))};
@@ -200,7 +208,7 @@ TYPED_TEST(Package, RegistersHaveTheCodecsWidthsAndSigns) {
   probe.rst_ni = 0;
   clock(probe);
   probe.rst_ni = 1;
-  for (int index = 0; index < kRegisterCount; ++index) {
+  for (int index = 0; index < kAllRegisterCount; ++index) {
     const RegisterFormat format = register_format(static_cast<Register>(index), this->config_);
     probe.register_index_i = static_cast<CData>(index);
     probe.register_write_i = 0;

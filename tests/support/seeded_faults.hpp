@@ -26,13 +26,22 @@ inline constexpr std::array<std::string_view, 13> kSlbFaults{
     "SLB_LOSE_CARRY",    "SLB_KEEP_LINES",    "SLB_COVER_ALL_ROWS", "SLB_LAST_OBJECT", "SLB_OPEN_HALF_PLANE",
     "NO_FORWARDING",     "KEEP_GENERATION",   "SKIP_BARRIER"};
 
+/// Topology mode and the perspective projection, one build with all of them: tests/rtl/perspective.
+inline constexpr std::array<std::string_view, 15> kProjectionFaults{
+    "TOPOLOGY_KEEP_HEAD",        "TOPOLOGY_NEAR_LAST",       "TOPOLOGY_CLIP_SHORT",
+    "TOPOLOGY_NO_EARLY_EXIT",    "TOPOLOGY_LOSE_DROPPED",    "TOPOLOGY_OPEN_SIDES",
+    "TOPOLOGY_SORTED_GOES_ON",   "PERSPECTIVE_NO_STEP",      "PERSPECTIVE_NEAR_OR_EQUAL",
+    "PERSPECTIVE_NO_TURN",       "PERSPECTIVE_CONE_ALWAYS",  "PERSPECTIVE_KEEP_STRADDLING",
+    "PERSPECTIVE_FACE_THE_AXIS", "PERSPECTIVE_NO_CLEARANCE", "PERSPECTIVE_PLAIN_MAX"};
+
 /// The frame buffer's and one of the memory below it, each a build of its own:
 /// tests/sim/frame_cosim_test.cpp.
 inline constexpr std::array<std::string_view, 5> kFrameFaults{
     "FRAME_FIRST_STATE", "FRAME_KEEP_AGAIN", "FRAME_LAYER_ZERO", "FRAME_SHARE_WORDS", "NO_FORWARDING"};
 
 /// All of them. A fault may stand in several.
-inline constexpr std::array<std::span<const std::string_view>, 4> kFaultLists{
-    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kFrameFaults};
+inline constexpr std::array<std::span<const std::string_view>, 5> kFaultLists{
+    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kProjectionFaults,
+    kFrameFaults};
 
 }  // namespace gnomon::stimulus

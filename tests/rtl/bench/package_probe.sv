@@ -6,7 +6,8 @@ module package_probe #(
   parameter int unsigned VOXEL_FRAC_BITS  = 2,
   parameter int unsigned NORMAL_BITS      = 9,
   parameter int unsigned MATRIX_FRAC_BITS = 22,
-  parameter int unsigned DEPTH_BITS       = 20
+  parameter int unsigned DEPTH_BITS       = 20,
+  parameter int unsigned PLANE_LOG2       = 9
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -67,7 +68,7 @@ module package_probe #(
       8'd6:  constant_o = 64'(gnomon_pkg::OP_RESOLVE_VOXELS);
       8'd7:  constant_o = 64'(gnomon_pkg::FENCE_CLEAR_STICKY);
       8'd8:  constant_o = 64'(gnomon_pkg::RESOLVE_TWO_SIDED);
-      8'd9:  constant_o = 64'(gnomon_pkg::REGISTER_COUNT);
+      8'd9:  constant_o = 64'(gnomon_pkg::PLAIN_REGISTERS);
       8'd10: constant_o = 64'(gnomon_pkg::ERROR_UNKNOWN_OP);
       8'd11: constant_o = 64'(gnomon_pkg::ERROR_FEATURE_ABSENT);
       8'd12: constant_o = 64'(gnomon_pkg::ERROR_BAD_REGISTER);
@@ -90,6 +91,9 @@ module package_probe #(
       8'd29: constant_o = 64'(gnomon_pkg::COUNTER_SLB);
       8'd30: constant_o = 64'(gnomon_pkg::COUNTER_CYCLES);
       8'd31: constant_o = 64'(gnomon_pkg::PASS_QUERY);
+      8'd32: constant_o = 64'(gnomon_pkg::REGISTER_COUNT);
+      8'd33: constant_o = 64'(gnomon_pkg::PERSPECTIVE_COUNTER_COUNT);
+      8'd34: constant_o = 64'(gnomon_pkg::COUNTER_PERSPECTIVE);
       default: constant_o = '0;
     endcase
   end
@@ -113,6 +117,7 @@ module package_probe #(
     fence.sticky.error_seen        = sticky_i[0];
     fence.sticky.off_plane         = sticky_i[1];
     fence.sticky.depth_saturated   = sticky_i[2];
+    fence.sticky.behind_light      = sticky_i[5];
     fence.sticky.line_overflow     = sticky_i[8];
     fence.sticky.object_overflow   = sticky_i[9];
     fence.sticky.winding_saturated = sticky_i[10];
@@ -149,7 +154,7 @@ module package_probe #(
   assign answer_o      = answer;
   assign slb_entry_o   = slb_entry;
   logic unused_sticky;
-  assign unused_sticky = ^sticky_i[7:3];
+  assign unused_sticky = ^{sticky_i[7:6], sticky_i[4:3]};
   assign fence_o       = fence;
   assign plane_entry_o = plane_entry;
   assign error_o       = error;
@@ -183,6 +188,22 @@ module package_probe #(
     .tilt_shift_o(tilt_shift), .delta_shift_o(delta_shift), .margin_squared_o(margin_squared),
     .delta_max_o(delta_max)
   );
+  logic                                                                perspective, cone;
+  logic signed [gnomon_pkg::uv_coefficient_bits(MATRIX_FRAC_BITS)-1:0] wx, wy, wz;
+  logic signed [gnomon_pkg::uv_constant_bits(MATRIX_FRAC_BITS, P)-1:0] w1;
+  logic [gnomon_pkg::near_bits(P)-1:0]                                 w_near;
+  logic signed [PLANE_LOG2+1:0]                                        centre_u, centre_v;
+  logic [gnomon_pkg::key_bits(DEPTH_BITS)-1:0]                         key_limit, key_scale;
+  logic signed [gnomon_pkg::light_bits(P)-1:0]                         light_x, light_y, light_z;
+  logic [gnomon_pkg::cone_bits(PLANE_LOG2)-1:0]                        cone_squared;
+  vpu_perspective_registers #(
+    .POSITION_BITS(P), .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2)
+  ) u_perspective_registers (
+    .clk_i, .rst_ni, .write_i(register_write_i), .index_i(register_index_i), .value_i(register_value_i),
+    .perspective_o(perspective), .cone_o(cone), .wx_o(wx), .wy_o(wy), .wz_o(wz), .w1_o(w1), .w_near_o(w_near),
+    .centre_u_o(centre_u), .centre_v_o(centre_v), .key_limit_o(key_limit), .key_scale_o(key_scale),
+    .light_x_o(light_x), .light_y_o(light_y), .light_z_o(light_z), .cone_squared_o(cone_squared)
+  );
   always_comb begin
     case (register_index_i)
       gnomon_pkg::REG_MATRIX_UX:      register_o = 64'(ux);
@@ -203,6 +224,20 @@ module package_probe #(
       gnomon_pkg::REG_DELTA_SHIFT:    register_o = 64'(delta_shift);
       gnomon_pkg::REG_MARGIN_SQUARED: register_o = 64'(margin_squared);
       gnomon_pkg::REG_DELTA_MAX:      register_o = 64'(delta_max);
+      gnomon_pkg::REG_PROJECTION:     register_o = 64'({cone, perspective});
+      gnomon_pkg::REG_MATRIX_WX:      register_o = 64'(wx);
+      gnomon_pkg::REG_MATRIX_WY:      register_o = 64'(wy);
+      gnomon_pkg::REG_MATRIX_WZ:      register_o = 64'(wz);
+      gnomon_pkg::REG_MATRIX_W1:      register_o = 64'(w1);
+      gnomon_pkg::REG_W_NEAR:         register_o = 64'(w_near);
+      gnomon_pkg::REG_CENTRE_U:       register_o = 64'(centre_u);
+      gnomon_pkg::REG_CENTRE_V:       register_o = 64'(centre_v);
+      gnomon_pkg::REG_KEY_LIMIT:      register_o = 64'(key_limit);
+      gnomon_pkg::REG_KEY_SCALE:      register_o = 64'(key_scale);
+      gnomon_pkg::REG_LIGHT_X:        register_o = 64'(light_x);
+      gnomon_pkg::REG_LIGHT_Y:        register_o = 64'(light_y);
+      gnomon_pkg::REG_LIGHT_Z:        register_o = 64'(light_z);
+      gnomon_pkg::REG_CONE_SQUARED:   register_o = 64'(cone_squared);
       default:                        register_o = '0;
     endcase
   end
