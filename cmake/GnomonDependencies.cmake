@@ -46,12 +46,15 @@ gnomon_find_header(TomlPlusPlus toml++/toml.h)
 gnomon_find_header(Expected tl/expected.hpp)
 gnomon_find_header(Boost boost/multiprecision/cpp_int.hpp)
 gnomon_find(RapidCheck rapidcheck.h rapidcheck)
+gnomon_find(SystemC systemc systemc)
 # For tests alone: its licence is the GPL.
 gnomon_find(Unicorn unicorn/unicorn.h unicorn)
 gnomon_find(MuParser muParser.h muparser)
 gnomon_find(Sqlite sqlite3.h sqlite3)
 
 target_link_libraries(gnomon_dep_OpenVDB INTERFACE TBB::tbb gnomon::dep::Imath)
+# libsystemc is built as C++17; its headers check the standard that they are compiled with.
+target_compile_definitions(gnomon_dep_SystemC INTERFACE SC_CPLUSPLUS=201703L)
 target_compile_definitions(gnomon_dep_TinyObjLoader INTERFACE TINYOBJLOADER_USE_DOUBLE)
 
 find_program(VERILATOR_PROGRAM verilator)

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hardware's front end: registers, descriptors, commands into an engine, results into memory
+// (docs/system.md).
+#pragma once
+
+#include <tlm_utils/simple_initiator_socket.h>
+#include <tlm_utils/simple_target_socket.h>
+
+#include <cstdint>
+#include <gnomon/golden/engine.hpp>
+#include <span>
+#include <systemc>
+#include <vector>
+
+#include "sim/system/device_registers.hpp"
+
+namespace gnomon::sim::system {
+
+class HardwareModule : public sc_core::sc_module {
+ public:
+  /// The engine must outlive the module; it is reset with it.
+  HardwareModule(const sc_core::sc_module_name& name, golden::Engine& engine);
+
+  tlm_utils::simple_target_socket<HardwareModule> registers_socket;
+  tlm_utils::simple_initiator_socket<HardwareModule> memory_socket;
+  sc_core::sc_out<bool> interrupt;
+
+  const DeviceRegisters& registers() const { return registers_; }
+
+ private:
+  struct Descriptor {
+    std::uint64_t address = 0;
+    std::uint32_t words = 0;
+    std::uint16_t job = 0, flags = 0;
+  };
+  struct Stopped {
+    std::uint32_t code;
+    std::uint64_t address;
+  };
+  struct Reset {};
+
+  void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
+  bool write(std::uint32_t offset, std::uint32_t value);
+  void drive();
+  void notify() { changed_.notify(sc_core::SC_ZERO_TIME); }
+
+  void work();
+  void idle();
+  void check_rings() const;
+  void run_descriptor();
+  Descriptor fetch_descriptor(std::uint64_t place);
+  void execute(const Descriptor& descriptor);
+  void take(std::span<const golden::Word> words);
+  void give_results();
+  void deliver(std::span<const golden::Word> results);
+  void complete(const Descriptor& descriptor, std::uint64_t place);
+  void reset();
+
+  /// Waits; a reset ends it by an exception.
+  void pause(const sc_core::sc_time& time);
+  void pause_until_changed();
+  /// What the transaction takes beyond now; stops the hardware if it is not answered well.
+  sc_core::sc_time transfer(tlm::tlm_command command, std::uint64_t address, std::span<std::uint8_t> data);
+
+  golden::Engine& engine_;
+  DeviceRegisters registers_;
+  sc_core::sc_event changed_;  ///< registers, by software or by the hardware
+  sc_core::sc_event wake_;     ///< software has changed something
+  bool reset_requested_ = false;
+  // The job under way.
+  bool in_job_ = false;
+  std::uint16_t job_ = 0xFFFF;
+  std::uint32_t items_left_ = 0;  ///< of the command under way
+  std::uint32_t errors_ = 0, flags_ = 0;
+};
+
+}  // namespace gnomon::sim::system

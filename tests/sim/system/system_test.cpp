@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// Firmware, processor, bus, DRAM and front end together: golden's words, whatever the timing and the faults.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/golden_engine.hpp>
+#include <iterator>
+#include <stdexcept>
+
+#include "sim/registers/registers.hpp"
+#include "sim/system/system_engine.hpp"
+#include "sim/system/system_top.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/stimulus.hpp"
+
+namespace gnomon::sim::system::test {
+namespace {
+
+namespace hw = registers::hardware;
+namespace mb = registers::mailbox;
+using Words = std::vector<golden::Word>;
+
+std::vector<std::uint8_t> firmware() {
+  std::ifstream file(GNOMON_FIRMWARE_IMAGE, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+Words stream(std::uint64_t seed, int commands = 40) {
+  return stimulus::random_stream({}, {.seed = seed, .commands = commands});
+}
+Words answers(golden::Engine& engine, const Words& words) {
+  Words results;
+  engine.submit(words);
+  engine.drain(
+      [&](std::span<const golden::Word> more) { results.insert(results.end(), more.begin(), more.end()); });
+  return results;
+}
+Words answers(const Words& words) {
+  return answers(*golden::make_golden_engine({}), words);
+}
+
+struct Bench {
+  std::unique_ptr<golden::Engine> engine = golden::make_golden_engine({});
+  std::vector<std::uint8_t> image = firmware();
+  System system;
+  explicit Bench(const SystemConfig& config = {}) : system(config, *engine, image) {}
+};
+
+TEST(System, GivesGoldensWords) {
+  Bench bench;
+  const auto golden = golden::make_golden_engine({});
+  std::vector<Job> jobs(20);
+  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].commands = stream(i);
+  const std::vector<JobReport> reports = bench.system.run(jobs);
+  ASSERT_EQ(reports.size(), jobs.size());
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    EXPECT_EQ(reports[i].outcome, mb::kOutcomeIsDone);
+    EXPECT_EQ(reports[i].results, answers(*golden, jobs[i].commands)) << i;
+    compared += reports[i].results.size();
+  }
+  EXPECT_GT(compared, 1'000u);
+  EXPECT_THAT(bench.system.log(), testing::StartsWith("gnomon firmware: hardware 1.0"));
+}
+
+TEST(System, ConfigurationsChangeCyclesNeverWords) {
+  const Words commands = stream(3, 100);
+  const Words expected = answers(commands);
+  std::vector<std::uint64_t> cycles;
+  SystemConfig slow, fine, small;
+  slow.dram.latency = 200;
+  fine.quantum = 1;
+  small.result_ring_log2 = 6;
+  for (const SystemConfig& config : {SystemConfig{}, slow, fine, small}) {
+    Bench bench(config);
+    const std::vector<Job> jobs{{.commands = commands}};
+    EXPECT_EQ(bench.system.run(jobs).at(0).results, expected);
+    cycles.push_back(bench.system.statistics().cycles);
+  }
+  EXPECT_GT(cycles[1], cycles[0] * 2) << "memory latency 200 instead of 20";
+  EXPECT_GT(cycles[3], cycles[0]) << "the ring fills up";
+}
+
+TEST(System, RepeatsItselfCycleByCycle) {
+  const std::vector<Job> jobs{{.commands = stream(4)}};
+  Bench first;
+  first.system.run(jobs);
+  const SystemStatistics a = first.system.statistics();
+  Bench second;
+  second.system.run(jobs);
+  const SystemStatistics b = second.system.statistics();
+  EXPECT_EQ(a.cycles, b.cycles);
+  EXPECT_EQ(a.cpu, b.cpu);
+  EXPECT_EQ(a.dram, b.dram);
+}
+
+TEST(System, SaysWhereTimeAndBytesGo) {
+  Bench bench;
+  const std::vector<Job> jobs{{.commands = stream(5, 400)}};
+  const JobReport report = bench.system.run(jobs).at(0);
+  const SystemStatistics s = bench.system.statistics();
+  EXPECT_GE(s.cycles, jobs[0].commands.size());
+  EXPECT_GT(s.cpu.cycles_asleep, s.cpu.cycles / 2) << "the processor sleeps while the hardware works";
+  EXPECT_LT(s.cpu.cycles, s.cycles + 1000);
+  EXPECT_EQ(s.bus.at(0).target, "dram");
+  EXPECT_EQ(s.bus[0].bytes, s.dram.bytes);
+  EXPECT_GE(s.dram.bytes, 8 * (jobs[0].commands.size() + report.results.size()));
+  EXPECT_EQ(s.dram.row_hits + s.dram.rows_opened + s.dram.row_conflicts, s.dram.reads + s.dram.writes);
+  EXPECT_GT(s.dram.row_hits, s.dram.row_conflicts);
+  EXPECT_GT(s.register_writes, 10u);
+  EXPECT_LT(report.instructions, 2'000u);
+}
+
+TEST(System, CutCommandsAndBadDescriptorsEndInErrors) {
+  Bench bench;
+  Words cut = stream(6);
+  cut.push_back(golden::encode(golden::Header{0, 0, 3, 0}));  // a NOP whose items are missing
+  const std::vector<Job> jobs{{.commands = cut}, {.commands = stream(7)}};
+  const std::vector<JobReport> reports = bench.system.run(jobs);
+  EXPECT_EQ(reports[0].outcome, mb::kOutcomeIsFailed);
+  EXPECT_EQ(reports[0].error & 0xFFU, hw::kErrorCodeIsCutCommand);
+  EXPECT_EQ(reports[1].results, answers(jobs[1].commands));
+}
+
+/// A fault in about one of `spacing` transactions.
+FaultInjector random_faults(stimulus::Random& random, std::uint64_t& injected, std::int64_t spacing) {
+  return [&random, &injected, spacing](std::uint64_t, bool) {
+    if (random.between(1, spacing) != 1) return Fault::None;
+    ++injected;
+    return static_cast<Fault>(random.between(1, 3));
+  };
+}
+
+TEST(System, AThousandFaultsNeverShowAsResults) {
+  Bench bench;
+  stimulus::Random random(8);
+  std::uint64_t injected = 0, done = 0, failed = 0, compared = 0;
+  for (std::uint64_t round = 0; injected < 1'000; ++round) {
+    // Reset by the firmware after each error; a fresh job first, so that the engine's state is known.
+    std::vector<Job> jobs(1);
+    jobs[0].commands = stream(round, 20);
+    jobs[0].retries = 6;
+    bench.engine->reset();
+    bench.system.set_fault_injector(random_faults(random, injected, 40));
+    const JobReport report = bench.system.run(jobs).at(0);
+    if (report.outcome == mb::kOutcomeIsDone) {
+      EXPECT_EQ(report.results, answers(jobs[0].commands));
+      compared += report.results.size();
+      ++done;
+    } else {
+      EXPECT_EQ(report.outcome, mb::kOutcomeIsFailed);
+      EXPECT_EQ(report.attempts, 7u);
+      EXPECT_TRUE(report.results.empty());
+      ++failed;
+    }
+  }
+  EXPECT_GT(done, 50u);
+  EXPECT_GT(failed, 0u);
+  EXPECT_GT(compared, 5'000u);
+}
+
+TEST(System, AFirmwareThatDoesNothingReachesTheLimit) {
+  const auto engine = golden::make_golden_engine({});
+  const std::vector<std::uint8_t> loop{0x6F, 0, 0, 0};
+  SystemConfig config;
+  config.cycle_limit = 100'000;
+  System system(config, *engine, loop);
+  EXPECT_THROW(system.run(std::vector<Job>{{.commands = stream(9)}}), std::runtime_error);
+}
+
+TEST(System, RefusesWhatDoesNotFit) {
+  const auto engine = golden::make_golden_engine({});
+  const auto make = [&](const SystemConfig& config, std::size_t bytes) {
+    const std::vector<std::uint8_t> image(bytes);
+    const System system(config, *engine, image);
+  };
+  SystemConfig small, ring, quantum;
+  small.dram_bytes = 1U << 20U;
+  ring.result_ring_log2 = 5;
+  quantum.quantum = 0;
+  for (const SystemConfig& config : {small, ring, quantum})
+    EXPECT_THROW(make(config, 16), std::invalid_argument);
+  EXPECT_THROW(make({}, 65537), std::invalid_argument);
+  Bench bench;
+  EXPECT_THROW(bench.system.run(std::vector<Job>(257)), std::length_error);
+}
+
+TEST(SystemEngine, IsAnEngineLikeAnyOther) {
+  const auto golden = golden::make_golden_engine({});
+  SystemEngine engine({}, golden::make_golden_engine({}), firmware());
+  EXPECT_EQ(engine.name(), "system");
+  for (std::uint64_t seed = 20; seed < 25; ++seed) {
+    const Words words = stream(seed);
+    EXPECT_EQ(answers(engine, words), answers(*golden, words));
+  }
+  EXPECT_EQ(engine.counters().events, golden->counters().events);
+  EXPECT_EQ(engine.read_plane(), golden->read_plane());
+  EXPECT_EQ(answers(engine, {}), Words{});
+  engine.reset();
+  EXPECT_EQ(answers(engine, stream(30)), answers(stream(30)));
+}
+
+}  // namespace
+}  // namespace gnomon::sim::system::test
