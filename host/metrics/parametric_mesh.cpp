@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <numeric>
 
@@ -16,14 +17,28 @@ namespace {
 
 using Param = std::array<float, 2>;
 
+/// Two parameters in one number that sorts as they do, the first before the second: the bits of floats that
+/// are not negative are in order.
+using Key = std::uint64_t;
+
+Key key(float first, float second) {
+  return (Key{std::bit_cast<std::uint32_t>(first)} << 32) | std::bit_cast<std::uint32_t>(second);
+}
+float first_of(Key key) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32));
+}
+float second_of(Key key) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(key));
+}
+
 /// The vertices of one face, as (v, u) and as (u, v), both sorted: every line of the face is a run in one of
 /// them.
 struct FaceVertices {
-  std::vector<Param> vu, uv;
+  std::vector<Key> vu, uv;
 
   void add(float u, float v) {
-    vu.push_back({v, u});
-    uv.push_back({u, v});
+    vu.push_back(key(v, u));
+    uv.push_back(key(u, v));
   }
   void sort() {
     for (auto* list : {&vu, &uv}) {
@@ -32,17 +47,17 @@ struct FaceVertices {
     }
   }
   std::uint32_t index(float u, float v) const {
-    const auto found = std::lower_bound(vu.begin(), vu.end(), Param{v, u});
-    assert(found != vu.end() && *found == (Param{v, u}));
+    const auto found = std::lower_bound(vu.begin(), vu.end(), key(v, u));
+    assert(found != vu.end() && *found == key(v, u));
     return static_cast<std::uint32_t>(found - vu.begin());
   }
   /// Positions along a line strictly between two of its points.
-  static std::span<const Param> between(const std::vector<Param>& list, float line, float from, float to) {
-    const auto first = std::upper_bound(list.begin(), list.end(), Param{line, from});
-    const auto last = std::lower_bound(first, list.end(), Param{line, to});
+  static std::span<const Key> between(const std::vector<Key>& list, float line, float from, float to) {
+    const auto first = std::upper_bound(list.begin(), list.end(), key(line, from));
+    const auto last = std::lower_bound(first, list.end(), key(line, to));
     return {first, last};
   }
-  std::span<const Param> along(Side side, float from, float to) const {
+  std::span<const Key> along(Side side, float from, float to) const {
     const bool u_runs = side == Side::LowV || side == Side::HighV;
     const float line = side == Side::HighU || side == Side::HighV ? 1.0f : 0.0f;
     return between(u_runs ? vu : uv, line, from, to);
@@ -99,8 +114,8 @@ void share_group(BorderGroup group, std::span<const FaceRects> faces, std::span<
   // The end of a side is a vertex even where it lies halfway along the neighbour's side.
   if (lengths_differ) common = {0, 1};
   for (const BorderPiece& piece : group)
-    for (const Param& p : faces[place[piece.face]].vertices.along(piece.side, piece.t0, piece.t1))
-      common.push_back(piece.common(p[1]));
+    for (const Key p : faces[place[piece.face]].vertices.along(piece.side, piece.t0, piece.t1))
+      common.push_back(piece.common(double{second_of(p)}));
   std::sort(common.begin(), common.end());
   common.erase(std::unique(common.begin(), common.end()), common.end());
   for (const BorderPiece& piece : group)
@@ -127,17 +142,17 @@ void share_borders(const surface::LimitSurface& surface, std::vector<FaceRects>&
 void outline(const FaceVertices& vertices, const ParamRect& r, std::vector<std::uint32_t>& out) {
   out.clear();
   out.push_back(vertices.index(r.u0, r.v0));
-  for (const Param& p : FaceVertices::between(vertices.vu, r.v0, r.u0, r.u1))
-    out.push_back(vertices.index(p[1], r.v0));
+  for (const Key p : FaceVertices::between(vertices.vu, r.v0, r.u0, r.u1))
+    out.push_back(vertices.index(second_of(p), r.v0));
   out.push_back(vertices.index(r.u1, r.v0));
-  for (const Param& p : FaceVertices::between(vertices.uv, r.u1, r.v0, r.v1))
-    out.push_back(vertices.index(r.u1, p[1]));
+  for (const Key p : FaceVertices::between(vertices.uv, r.u1, r.v0, r.v1))
+    out.push_back(vertices.index(r.u1, second_of(p)));
   out.push_back(vertices.index(r.u1, r.v1));
   const auto top = FaceVertices::between(vertices.vu, r.v1, r.u0, r.u1);
-  for (auto p = top.rbegin(); p != top.rend(); ++p) out.push_back(vertices.index((*p)[1], r.v1));
+  for (auto p = top.rbegin(); p != top.rend(); ++p) out.push_back(vertices.index(second_of(*p), r.v1));
   out.push_back(vertices.index(r.u0, r.v1));
   const auto left = FaceVertices::between(vertices.uv, r.u0, r.v0, r.v1);
-  for (auto p = left.rbegin(); p != left.rend(); ++p) out.push_back(vertices.index(r.u0, (*p)[1]));
+  for (auto p = left.rbegin(); p != left.rend(); ++p) out.push_back(vertices.index(r.u0, second_of(*p)));
 }
 
 class FaceBuilder {
@@ -147,7 +162,7 @@ class FaceBuilder {
 
   FaceMesh build(std::span<const ParamRect> rects, const FaceRects& face) const {
     FaceMesh mesh;
-    for (const Param& vu : face.vertices.vu) add_point(mesh, face.face, vu[1], vu[0]);
+    for (const Key vu : face.vertices.vu) add_point(mesh, face.face, second_of(vu), first_of(vu));
     std::vector<std::uint32_t> polygon;
     for (const std::uint32_t i : face.rects) {
       outline(face.vertices, rects[i], polygon);

@@ -23,7 +23,10 @@ class Sampler {
           const voxel::VoxelSet& voxels)
       : reference_(reference), scale_(reference.light()), surfaces_(surfaces), index_(voxels) {}
 
-  SurfaceSample sample(const FaceGrid& grid, std::uint32_t i, std::uint32_t j) const {
+  VoxelIndex::Walk walk() const { return VoxelIndex::Walk(index_); }
+
+  /// `walk` goes from sample to sample.
+  SurfaceSample sample(const FaceGrid& grid, std::uint32_t i, std::uint32_t j, VoxelIndex::Walk& walk) const {
     const surface::LimitSurface& surface = surfaces_[grid.object];
     const auto [u, v] = sample_parameter(grid, i, j);
     const surface::SurfacePoint p = surface.evaluate(grid.face, u, v);
@@ -36,7 +39,7 @@ class Sampler {
     sample.z = static_cast<float>(p.position.z);
     sample.light_area = static_cast<float>(area);
     sample.facing = static_cast<float>(reference_.facing(query.point, query.normal, grid.object));
-    sample.voxel = index_.answering(p.position);
+    sample.voxel = walk.answering(p.position);
     sample.object = static_cast<std::uint16_t>(grid.object);
     sample.exact = reference_.classify(query);
     return sample;
@@ -56,8 +59,9 @@ std::vector<SurfaceSample> take_samples(const Sampler& sampler, const SampleGrid
   Progress progress(rows.size(), options.progress, options.cancelled);
   tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t r) {
     const FaceGrid& grid = grids.faces[rows[r].grid];
+    VoxelIndex::Walk walk = sampler.walk();
     for (std::uint32_t i = 0; i < grid.nu; ++i)
-      samples[grid.cell(i, rows[r].row)] = sampler.sample(grid, i, rows[r].row);
+      samples[grid.cell(i, rows[r].row)] = sampler.sample(grid, i, rows[r].row, walk);
     progress.step();
   });
   return samples;
@@ -72,9 +76,10 @@ std::vector<SurfaceSample> take_border_samples(const Sampler& sampler, const Sam
     FaceGrid fine = grids.faces[cells[c].grid];
     fine.nu *= kBorderSplit;
     fine.nv *= kBorderSplit;
+    VoxelIndex::Walk walk = sampler.walk();
     for (std::uint32_t k = 0; k < kEach; ++k) {
       samples[c * kEach + k] = sampler.sample(fine, cells[c].i * kBorderSplit + k % kBorderSplit,
-                                              cells[c].j * kBorderSplit + k / kBorderSplit);
+                                              cells[c].j * kBorderSplit + k / kBorderSplit, walk);
     }
   });
   return samples;
