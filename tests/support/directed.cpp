@@ -214,7 +214,7 @@ std::vector<Word> error_stream(const HardwareConfig& config) {
   auto words = stage.writer.take();
   const std::uint32_t beyond = golden::encode(
       golden::PlaneRange{.first = (std::uint32_t{1} << (2 * config.plane_log2)) - 1, .count = 2});
-  const std::array headers{
+  std::vector<Header> headers{
       Header{0x05, 0, 3, 0},
       Header{0xFF, 0xFF, 2, 0xFFFFFFFF},
       Header{op(Op::Nop), 1, 2, 0},
@@ -237,6 +237,12 @@ std::vector<Word> error_stream(const HardwareConfig& config) {
       Header{op(Op::ResolveVoxels), 2, 3, 0},
       Header{op(Op::ResolveVoxels), 0xFF, 1, 0},
   };
+  if (!config.en_perspective) {  // registers that other hardware has
+    for (const Header& header :
+         {Header{op(Op::SetRegisters), 0, 1, 18}, Header{op(Op::SetRegisters), 0, 19, 0},
+          Header{op(Op::SetRegisters), 0, 0, 32}, Header{op(Op::SetRegisters), 0, 4, 16}})
+      headers.push_back(header);
+  }
   for (std::size_t i = 0; i < headers.size(); ++i) {
     words.push_back(encode(headers[i]));
     for (int item = 0; item < headers[i].count; ++item) words.push_back(stage.random.bits());

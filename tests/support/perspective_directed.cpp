@@ -125,7 +125,7 @@ AllRegisters from_below(const HardwareConfig& config, std::int64_t z, std::int64
   at(Register::MatrixUx) = at(Register::MatrixVy) = std::max<std::int64_t>(entries << f >> p, 1);
   at(Register::MatrixU1) = at(Register::MatrixV1) = -middle * at(Register::MatrixUx);
   at(Register::CentreU) = at(Register::CentreV) = config.plane_side() / 2;
-  at(Register::KeyScale) = std::int64_t{1} << (config.depth_bits + 4 - p + 2);
+  at(Register::KeyScale) = std::int64_t{1} << std::max(0, config.depth_bits + 4 - p + 2);
   at(Register::KeyLimit) = std::int64_t{1} << (config.depth_bits + 4);
   at(Register::LightX) = at(Register::LightY) = 8 * middle + 4;
   at(Register::LightZ) = 8 * z + 4;
@@ -180,7 +180,8 @@ std::vector<Word> border_stream(const HardwareConfig& config) {
       stage.set(from_below(config, -4, 8));
       stage.set(Register::CentreU, centre);
       stage.set(Register::CentreV, half);
-      const std::int64_t scale = std::int64_t{1} << (config.depth_bits + 4 - config.position_bits() + shift);
+      const std::int64_t scale = std::int64_t{1}
+                                 << std::max(0, config.depth_bits + 4 - config.position_bits() + shift);
       stage.set(Register::KeyScale, scale);
       stage.set(Register::KeyLimit, scale << std::min(config.position_bits() - 3, 6));
       stage.both_passes(block(19));
