@@ -12,6 +12,7 @@
 
 #include "tests/sim/cosim.hpp"
 #include "tests/support/covering.hpp"
+#include "tests/support/frame_stream.hpp"
 #include "tests/support/random.hpp"
 
 namespace gnomon::sim::test {
@@ -31,7 +32,8 @@ struct Build {
 /// Latencies, stalls and dividers are the build's number's: the same every time.
 std::vector<Build> builds() {
   std::vector<HardwareConfig> configs = stimulus::slb_covering_array();
-  for (const HardwareConfig& config : stimulus::large_slb_configs()) configs.push_back(config);
+  for (const auto& more : {stimulus::large_slb_configs(), stimulus::frame_covering_array()})
+    configs.insert(configs.end(), more.begin(), more.end());
   std::vector<Build> result;
   for (const HardwareConfig& config : configs) {
     static constexpr std::array kLatencies{1, 2, 3, 5, 17, 64};
@@ -73,6 +75,9 @@ Streams streams_for(const HardwareConfig& config) {
   const bool large = is_large(config);
   for (std::uint64_t seed = 1; seed <= (large ? 2 : kStallProfiles); ++seed)
     streams.push_back(random_case(config, seed, 300));
+  for (std::uint64_t seed = 1; config.en_frame_buffer && seed <= kStallProfiles; ++seed)
+    streams.push_back(
+        {fmt::format("frame buffer, seed {}", seed), stimulus::frame_stream(config, seed, 200)});
   if (!large) return streams;
   return {joined(streams)};
 }

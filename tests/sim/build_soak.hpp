@@ -4,9 +4,10 @@
 
 namespace gnomon::sim::test {
 
-/// Every build of the covering array with the silhouette-line buffer, and its large planes: directed and
-/// random streams with all ways of holding back the ports, each build with latencies, stalls and dividers of
-/// its own. Prints a line a build. Returns the number of builds that failed or compared too little.
+/// Every build of the covering arrays with the silhouette-line buffer or the frame buffer, and large planes
+/// of the former: directed and random streams with all ways of holding back the ports, each build with
+/// latencies, stalls and dividers of its own. Prints a line a build. Returns the number of builds that failed
+/// or compared too little.
 int soak_builds();
 
 }  // namespace gnomon::sim::test

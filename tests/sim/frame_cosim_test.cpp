@@ -141,6 +141,26 @@ TEST(FrameCosim, AVoxelKeptACycleWhateverBricksTheyHit) {
   }
 }
 
+/// Besides the last voxels' way through the memory.
+TEST(FrameCosim, KeepingTakesNoMoreCyclesThanThePass) {
+  constexpr double kDrain = 8;
+  const auto offset = [](bool keep, bool quiet) {
+    return cycles_of([&](StreamWriter& writer) {
+      if (keep) writer.keep(golden::Keeping{0, quiet});
+      writer.resolve(row(kItems, 7), true);
+    });
+  };
+  const auto topology = [](bool keep) {
+    return cycles_of([&](StreamWriter& writer) {
+      if (keep) writer.keep(golden::Keeping{0, true});
+      writer.resolve_topology(row(kItems, 7), true, 0, false);
+    });
+  };
+  EXPECT_LE(offset(true, true), offset(false, false) + kDrain);
+  EXPECT_LE(offset(true, false), offset(false, false) + kDrain);
+  EXPECT_LE(topology(true), topology(false) + kDrain);
+}
+
 TEST(FrameCosim, ALookupACycleAndABrickThree) {
   const double states = cycles_of([](StreamWriter& writer) { writer.look_up(row(kItems, 3), 0, false); });
   EXPECT_LE(states, 1.02 * kItems);

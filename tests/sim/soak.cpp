@@ -112,8 +112,8 @@ int main(int argc, char** argv) {
   bool builds = false;
   app.add_flag(
       "--builds", builds,
-      "instead of seeds, every build of the covering array with the silhouette-line buffer, and planes "
-      "of it up to 2^12");
+      "instead of seeds, every build of the covering arrays with the silhouette-line buffer or the frame "
+      "buffer, and planes of the former up to 2^12");
   CLI11_PARSE(app, argc, argv);
   try {
     if (builds) return gnomon::sim::test::soak_builds() == 0 ? 0 : 1;
