@@ -38,6 +38,8 @@ void DeviceRegisters::describe_build() {
   if (c.en_slb) features |= hw::kFeaturesSlbMask;
   if (c.en_vpu_offset) features |= hw::kFeaturesVpuOffsetMask;
   if (c.en_vpu_topology) features |= hw::kFeaturesVpuTopologyMask;
+  if (c.en_perspective) features |= hw::kFeaturesPerspectiveMask;
+  if (c.en_frame_buffer) features |= hw::kFeaturesFrameBufferMask;
   set(hw::kFeaturesOffset, features);
   set(hw::kWidthsVoxelOffset, bytes_of(c.voxel_bits, c.voxel_frac_bits, c.normal_bits, c.matrix_frac_bits));
   set(hw::kWidthsPlaneOffset, bytes_of(c.plane_log2, c.depth_bits));
@@ -62,8 +64,7 @@ bool DeviceRegisters::interrupt() const {
   return (get(hw::kInterruptStatusOffset) & get(hw::kInterruptEnableOffset)) != 0;
 }
 
-bool DeviceRegisters::frozen(std::uint32_t offset) const {
-  if (stopped()) return offset != hw::kInterruptStatusOffset;
+bool DeviceRegisters::untimely(std::uint32_t offset) const {
   const bool idle = (get(hw::kStatusOffset) & hw::kStatusIdleMask) != 0;
   return (enabled() || !idle) && std::find(kSetUpOnly.begin(), kSetUpOnly.end(), offset) != kSetUpOnly.end();
 }
@@ -72,8 +73,9 @@ Request DeviceRegisters::write(std::uint32_t offset, std::uint32_t value) {
   if (file_.find(offset) == nullptr) return Request::Refused;
   if (offset == hw::kResetOffset)
     return (value & hw::kResetSoftResetMask) != 0 ? Request::Reset : Request::None;
-  if (frozen(offset)) {
-    ++writes_ignored_;
+  if (stopped() && offset != hw::kInterruptStatusOffset) return Request::None;
+  if (untimely(offset)) {
+    ++untimely_writes_;
     return Request::None;
   }
   file_.write(offset, value);

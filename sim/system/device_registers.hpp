@@ -41,16 +41,17 @@ class DeviceRegisters {
   bool enabled() const;
   bool stopped() const;
   bool interrupt() const;
-  std::uint64_t writes_ignored() const { return writes_ignored_; }
+  /// Writes that came at a time when set-up is frozen.
+  std::uint64_t untimely_writes() const { return untimely_writes_; }
 
  private:
-  bool frozen(std::uint32_t offset) const;
+  bool untimely(std::uint32_t offset) const;
   void set_status(std::uint32_t mask, bool value);
   void describe_build();
 
   golden::HardwareConfig config_;
   registers::RegisterFile file_;
-  std::uint64_t writes_ignored_ = 0;
+  std::uint64_t untimely_writes_ = 0;
 };
 
 }  // namespace gnomon::sim::system

@@ -12,8 +12,8 @@
 namespace gnomon::sim::system {
 
 SystemEngine::SystemEngine(const SystemConfig& config, std::unique_ptr<golden::Engine> inner,
-                           std::span<const std::uint8_t> firmware)
-    : inner_(std::move(inner)), system_(config, *inner_, firmware) {}
+                           std::span<const std::uint8_t> firmware, EngineClock clock)
+    : inner_(std::move(inner)), system_(config, *inner_, firmware, std::move(clock)) {}
 
 void SystemEngine::submit(std::span<const golden::Word> words) {
   waiting_.insert(waiting_.end(), words.begin(), words.end());

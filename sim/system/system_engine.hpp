@@ -14,9 +14,9 @@ namespace gnomon::sim::system {
 /// What is submitted until a drain is one job, so it must hold whole commands. One at a time in a process.
 class SystemEngine final : public golden::Engine {
  public:
-  /// `inner` answers the commands inside the hardware. Throws as System does.
+  /// `inner` answers the commands inside the hardware; `clock` and exceptions as of System.
   SystemEngine(const SystemConfig& config, std::unique_ptr<golden::Engine> inner,
-               std::span<const std::uint8_t> firmware);
+               std::span<const std::uint8_t> firmware, EngineClock clock = {});
 
   std::string_view name() const override { return "system"; }
   const golden::HardwareConfig& config() const override { return inner_->config(); }

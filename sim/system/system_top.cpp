@@ -72,7 +72,8 @@ const SystemConfig& checked(const SystemConfig& config) {
 }  // namespace
 
 struct System::Parts {
-  Parts(const SystemConfig& system_config, golden::Engine& engine, std::span<const std::uint8_t> firmware);
+  Parts(const SystemConfig& system_config, golden::Engine& engine, std::span<const std::uint8_t> firmware,
+        EngineClock clock);
 
   void wire();
   void set_up_mailbox();
@@ -102,12 +103,12 @@ struct System::Parts {
 };
 
 System::Parts::Parts(const SystemConfig& system_config, golden::Engine& engine,
-                     std::span<const std::uint8_t> firmware)
+                     std::span<const std::uint8_t> firmware, EngineClock clock)
     : config(checked(system_config)),
       cpu("cpu", firmware, config.quantum),
       router("router", config.bus_latency),
       dram("dram", config.dram_bytes, config.dram),
-      hardware("hardware", engine),
+      hardware("hardware", engine, std::move(clock)),
       mailbox("mailbox"),
       timer("timer"),
       external("external"),
@@ -208,8 +209,9 @@ JobReport System::Parts::report(std::uint32_t number) {
           {taken.begin() + record.results_begin, taken.begin() + record.results_end}};
 }
 
-System::System(const SystemConfig& config, golden::Engine& engine, std::span<const std::uint8_t> firmware)
-    : parts_(std::make_unique<Parts>(config, engine, firmware)) {}
+System::System(const SystemConfig& config, golden::Engine& engine, std::span<const std::uint8_t> firmware,
+               EngineClock clock)
+    : parts_(std::make_unique<Parts>(config, engine, firmware, std::move(clock))) {}
 System::~System() = default;
 
 std::vector<JobReport> System::run(std::span<const Job> jobs) {

@@ -35,6 +35,8 @@ struct JobReport {
   std::vector<golden::Word> results;
 };
 
+using EngineClock = std::function<std::uint64_t()>;
+
 /// What the router does to a transaction of the hardware's.
 enum class Fault : std::uint8_t { None, SlaveError, DecodeError, NoAnswer };
 using FaultInjector = std::function<Fault(std::uint64_t address, bool write)>;
@@ -55,9 +57,11 @@ struct SystemStatistics {
 /// SystemC has one simulation at a time: a process has one System at a time.
 class System {
  public:
-  /// `engine` answers the commands and must outlive the system. Throws std::invalid_argument for a
+  /// `engine` answers the commands and must outlive the system. `clock` gives the cycles that it has worked
+  /// since its reset; without, it takes a command word a cycle. Throws std::invalid_argument for a
   /// configuration or an image that does not fit.
-  System(const SystemConfig& config, golden::Engine& engine, std::span<const std::uint8_t> firmware);
+  System(const SystemConfig& config, golden::Engine& engine, std::span<const std::uint8_t> firmware,
+         EngineClock clock = {});
   ~System();
   System(const System&) = delete;
   System& operator=(const System&) = delete;

@@ -48,7 +48,9 @@ struct Jobs : testing::Test {
   MockSystem& system = machine.system;
 
   Words results(const gnomon_job& job) { return system.results(job.results_begin, job.results_end); }
-  ~Jobs() override { EXPECT_EQ(system.hardware.ignored_writes, 0u) << "writes to frozen registers"; }
+  ~Jobs() override {
+    EXPECT_EQ(system.hardware.registers.untimely_writes(), 0u) << "writes to frozen registers";
+  }
 };
 using Machines = testing::Types<HostMachine, ImageMachine>;
 TYPED_TEST_SUITE(Jobs, Machines);

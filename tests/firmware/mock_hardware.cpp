@@ -3,12 +3,10 @@
 #include "tests/firmware/mock_hardware.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/golden_engine.hpp>
 
-#include "sim/counter_names.hpp"
 #include "sim/registers/registers.hpp"
 
 namespace gnomon::firmware::test {
@@ -37,70 +35,29 @@ void Dram::set_word(std::uint64_t address, std::uint64_t value) {
 }
 
 MockHardware::MockHardware(Dram& dram)
-    : registers(hw::kRegisters), dram_(dram), engine_(golden::make_golden_engine(golden::HardwareConfig{})) {
-  start();
-}
-
-/// What depends on the build.
-void MockHardware::start() {
-  const golden::HardwareConfig& config = engine_->config();
-  registers.set(hw::kFeaturesOffset, hw::kFeaturesVpuOffsetMask | hw::kFeaturesRingsMask);
-  registers.set(
-      hw::kWidthsVoxelOffset,
-      static_cast<std::uint32_t>(config.voxel_bits | config.voxel_frac_bits << 8 | config.normal_bits << 16));
-  registers.set(hw::kWidthsPlaneOffset,
-                static_cast<std::uint32_t>(config.plane_log2 | config.depth_bits << 8));
-}
-
-std::uint64_t MockHardware::address(std::uint32_t low_offset) const {
-  return get(low_offset) | std::uint64_t{get(low_offset + 4)} << 32U;
-}
-
-void MockHardware::update_status() {
-  std::uint32_t status = get(hw::kStatusOffset) & hw::kStatusStoppedMask;
-  if (!busy()) status |= hw::kStatusIdleMask;
-  if (executed_ && !waiting_.empty()) status |= hw::kStatusResultBlockedMask;
-  registers.set(hw::kStatusOffset, status);
-}
-
-std::optional<std::uint32_t> MockHardware::read(std::uint32_t offset) {
-  update_status();
-  return registers.read(offset);
-}
-
-/// Bases, sizes and the hardware's counts while it is enabled or at work.
-bool MockHardware::frozen(std::uint32_t offset) const {
-  static constexpr std::array kFrozen{hw::kPlaneBaseLowOffset,   hw::kPlaneBaseHighOffset,
-                                      hw::kCommandBaseLowOffset, hw::kCommandBaseHighOffset,
-                                      hw::kCommandSizeOffset,    hw::kCommandTailOffset,
-                                      hw::kResultBaseLowOffset,  hw::kResultBaseHighOffset,
-                                      hw::kResultSizeOffset,     hw::kResultHeadOffset};
-  const bool locked = busy() || (get(hw::kControlOffset) & hw::kControlEnableMask) != 0;
-  return locked && std::find(kFrozen.begin(), kFrozen.end(), offset) != kFrozen.end();
-}
+    : registers(golden::HardwareConfig{}),
+      dram_(dram),
+      engine_(golden::make_golden_engine(golden::HardwareConfig{})) {}
 
 bool MockHardware::write(std::uint32_t offset, std::uint32_t value) {
-  const bool stopped = (get(hw::kStatusOffset) & hw::kStatusStoppedMask) != 0;
-  if (offset == hw::kResetOffset && (value & 1U) != 0) {
-    reset();
-    return true;
+  switch (registers.write(offset, value)) {
+    case sim::system::Request::Refused:
+      return false;
+    case sim::system::Request::Reset:
+      reset();
+      break;
+    case sim::system::Request::Snapshot:
+      registers.snapshot(engine_->counters());
+      break;
+    default:
+      break;
   }
-  if (offset == hw::kSnapshotOffset && (value & 1U) != 0) snapshot();
-  if (frozen(offset)) {
-    ++ignored_writes;
-    return true;
-  }
-  return stopped && offset != hw::kInterruptStatusOffset ? registers.find(offset) != nullptr
-                                                         : registers.write(offset, value);
+  return true;
 }
 
 void MockHardware::reset() {
-  const std::uint32_t error = get(hw::kErrorStatusOffset), at = get(hw::kErrorAddressLowOffset);
   ++resets;
   registers.reset();
-  start();
-  registers.set(hw::kErrorStatusOffset, error);
-  registers.set(hw::kErrorAddressLowOffset, at);
   registers.set(hw::kResetOffset, reset_never_ends ? 1 : 0);
   engine_->reset();
   blocked_ = false;
@@ -109,16 +66,8 @@ void MockHardware::reset() {
   executed_ = false;
 }
 
-void MockHardware::raise(std::uint32_t bits) {
-  registers.set(hw::kInterruptStatusOffset, get(hw::kInterruptStatusOffset) | bits);
-}
-
-bool MockHardware::interrupt() const {
-  return (get(hw::kInterruptStatusOffset) & get(hw::kInterruptEnableOffset)) != 0;
-}
-
 void MockHardware::advance(std::uint64_t cycles) {
-  if ((get(hw::kStatusOffset) & hw::kStatusStoppedMask) != 0) return;
+  if (registers.stopped()) return;
   if (executed_) return deliver();
   if (!ends_in_) return begin();
   if (misbehaviour_.never_ends) return;
@@ -127,21 +76,21 @@ void MockHardware::advance(std::uint64_t cycles) {
 }
 
 void MockHardware::begin() {
-  const bool enabled = (get(hw::kControlOffset) & hw::kControlEnableMask) != 0;
-  if (!enabled || get(hw::kCommandHeadOffset) == get(hw::kCommandTailOffset)) return;
+  if (!registers.enabled() || get(hw::kCommandHeadOffset) == get(hw::kCommandTailOffset)) return;
   misbehaviour_ = {};
   if (!plan.empty()) {
     misbehaviour_ = plan.front();
     plan.pop_front();
   }
+  registers.set_busy(true);
   ends_in_ = kCycles;
   errors_ = 0;
   flags_ = misbehaviour_.flags;
 }
 
 void MockHardware::finish() {
-  const std::uint64_t at =
-      place(address(hw::kCommandBaseLowOffset), get(hw::kCommandSizeOffset), get(hw::kCommandTailOffset));
+  const std::uint64_t at = place(registers.get_address(hw::kCommandBaseLowOffset),
+                                 get(hw::kCommandSizeOffset), get(hw::kCommandTailOffset));
   if (!dram_.holds(at, 16)) return stop(hw::kErrorCodeIsReadDecerr, static_cast<std::uint32_t>(at));
   const std::uint64_t from = dram_.word(at), rest = dram_.word(at + 8);
   const auto words = static_cast<std::uint32_t>(rest);
@@ -176,13 +125,14 @@ void MockHardware::deliver() {
   std::uint32_t head = get(hw::kResultHeadOffset);
   for (; !waiting_.empty(); ++head) {
     if (head - get(hw::kResultTailOffset) == 1U << log2) {
-      if (!blocked_) raise(hw::kInterruptStatusResultFullMask);
+      if (!blocked_) registers.raise(hw::kInterruptStatusResultFullMask);
       blocked_ = true;
       registers.set(hw::kResultHeadOffset, head);
       return;
     }
-    dram_.set_word(address(hw::kResultBaseLowOffset) + std::uint64_t{head & ((1U << log2) - 1U)} * 8,
-                   waiting_.front());
+    dram_.set_word(
+        registers.get_address(hw::kResultBaseLowOffset) + std::uint64_t{head & ((1U << log2) - 1U)} * 8,
+        waiting_.front());
     waiting_.pop_front();
     blocked_ = false;
   }
@@ -193,36 +143,26 @@ void MockHardware::deliver() {
 
 void MockHardware::complete() {
   const std::uint32_t tail = get(hw::kCommandTailOffset);
-  const std::uint64_t at = place(address(hw::kCommandBaseLowOffset), get(hw::kCommandSizeOffset), tail);
+  const std::uint64_t at =
+      place(registers.get_address(hw::kCommandBaseLowOffset), get(hw::kCommandSizeOffset), tail);
   const std::uint64_t before = dram_.word(at + 8);
   dram_.set_word(at, get(hw::kResultHeadOffset) | std::uint64_t{flags_} << 32U);
   dram_.set_word(at + 8, before >> 32U << 32U | errors_ | std::uint64_t{kComplete} << 48U);
   registers.set(hw::kJobFlagsOffset, flags_);
   registers.set(hw::kJobsDoneOffset, get(hw::kJobsDoneOffset) + 1);
   registers.set(hw::kCommandTailOffset, tail + 1);
+  registers.set_busy(false);
   ends_in_.reset();
   executed_ = false;
-  if ((before >> 48U & kInterrupt) != 0) raise(hw::kInterruptStatusJobDoneMask);
+  if ((before >> 48U & kInterrupt) != 0) registers.raise(hw::kInterruptStatusJobDoneMask);
 }
 
 void MockHardware::stop(std::uint32_t code, std::uint32_t address) {
-  registers.set(hw::kErrorStatusOffset, code | std::uint32_t{job_} << hw::kErrorStatusJobShift);
-  registers.set(hw::kErrorAddressLowOffset, address);
-  registers.set(hw::kStatusOffset, get(hw::kStatusOffset) | hw::kStatusStoppedMask);
+  registers.stop(code, job_, address);
+  registers.set_busy(false);
   ends_in_.reset();
   waiting_.clear();
   executed_ = false;
-  raise(hw::kInterruptStatusErrorMask);
-}
-
-void MockHardware::snapshot() {
-  const golden::Counters counters = engine_->counters();
-  for (std::uint32_t i = 0; i < sim::kEventNames.size(); ++i) {
-    const std::uint64_t value = counters.events.at(std::string(sim::kEventNames[i]));
-    registers.set(hw::kCounterLowOffset + i * hw::kCounterLowStride, static_cast<std::uint32_t>(value));
-    registers.set(hw::kCounterHighOffset + i * hw::kCounterHighStride,
-                  static_cast<std::uint32_t>(value >> 32U));
-  }
 }
 
 }  // namespace gnomon::firmware::test

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/registers/register_file.hpp"
+#include "sim/system/device_registers.hpp"
 
 namespace gnomon::firmware::test {
 
@@ -38,36 +38,28 @@ class MockHardware {
   explicit MockHardware(Dram& dram);
 
   /// 32-bit accesses of software; false or nothing: SLVERR.
-  std::optional<std::uint32_t> read(std::uint32_t offset);
+  std::optional<std::uint32_t> read(std::uint32_t offset) const { return registers.read(offset); }
   bool write(std::uint32_t offset, std::uint32_t value);
   /// Time passes, a descriptor is finished kCycles after it was begun.
   void advance(std::uint64_t cycles);
-  bool interrupt() const;
+  bool interrupt() const { return registers.interrupt(); }
 
   static constexpr std::uint64_t kCycles = 500;
 
   std::deque<Misbehaviour> plan;  ///< for the next descriptors; then all is well
   bool reset_never_ends = false;
-  sim::registers::RegisterFile registers;
+  sim::system::DeviceRegisters registers;
   std::uint64_t resets = 0;
-  std::uint64_t ignored_writes = 0;  ///< to what may be written only while disabled and idle
 
  private:
   std::uint32_t get(std::uint32_t offset) const { return registers.get(offset); }
-  std::uint64_t address(std::uint32_t low_offset) const;
-  bool busy() const { return ends_in_.has_value() || !waiting_.empty(); }
-  bool frozen(std::uint32_t offset) const;
   void reset();
-  void start();
-  void update_status();
   void begin();
   void execute(std::uint64_t from, std::uint32_t words);
   void finish();
   void deliver();
   void complete();
   void stop(std::uint32_t code, std::uint32_t address);
-  void raise(std::uint32_t bits);
-  void snapshot();
 
   Dram& dram_;
   std::unique_ptr<golden::Engine> engine_;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/stream.hpp>
+#include <utility>
 
 #include "sim/registers/registers.hpp"
 #include "sim/system/modules/clock.hpp"
@@ -32,12 +33,14 @@ std::span<std::uint8_t> bytes_of(std::span<Word> values) {
 
 }  // namespace
 
-HardwareModule::HardwareModule(const sc_core::sc_module_name& name, golden::Engine& engine)
+HardwareModule::HardwareModule(const sc_core::sc_module_name& name, golden::Engine& engine,
+                               std::function<std::uint64_t()> clock)
     : sc_module(name),
       registers_socket("registers_socket"),
       memory_socket("memory_socket"),
       interrupt("interrupt"),
       engine_(engine),
+      clock_(std::move(clock)),
       registers_(engine.config()) {
   registers_socket.register_b_transport(this, &HardwareModule::transport);
   SC_HAS_PROCESS(HardwareModule);
@@ -94,6 +97,7 @@ void HardwareModule::reset() {
   reset_requested_ = false;
   in_job_ = false;
   engine_.reset();
+  clock_seen_ = clock_ ? clock_() : 0;
   registers_.reset();
   notify();
 }
@@ -206,10 +210,16 @@ void HardwareModule::execute(const Descriptor& descriptor) {
     }
     pause(fetched);
     take(std::span(group).first(count));
-    working = count;
+    working = worked(count);
   }
   pause(cycles(working));
   give_results();
+}
+
+std::uint64_t HardwareModule::worked(std::uint64_t words) {
+  if (!clock_) return words;
+  const std::uint64_t now = clock_();
+  return now - std::exchange(clock_seen_, now);
 }
 
 void HardwareModule::take(std::span<const Word> words) {
@@ -221,6 +231,7 @@ void HardwareModule::take(std::span<const Word> words) {
 void HardwareModule::give_results() {
   std::vector<Word> results;
   engine_.drain([&](std::span<const Word> more) { results.insert(results.end(), more.begin(), more.end()); });
+  pause(cycles(worked(0)));
   golden::ResultReader reader(results);
   while (const auto record = reader.next()) {
     if (golden::result_code(record->word) == golden::ResultCode::Error) ++errors_;

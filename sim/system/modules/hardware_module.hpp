@@ -7,6 +7,7 @@
 #include <tlm_utils/simple_target_socket.h>
 
 #include <cstdint>
+#include <functional>
 #include <gnomon/golden/engine.hpp>
 #include <span>
 #include <systemc>
@@ -18,8 +19,9 @@ namespace gnomon::sim::system {
 
 class HardwareModule : public sc_core::sc_module {
  public:
-  /// The engine must outlive the module; it is reset with it.
-  HardwareModule(const sc_core::sc_module_name& name, golden::Engine& engine);
+  /// The engine must outlive the module; it is reset with it. `clock` as in System.
+  HardwareModule(const sc_core::sc_module_name& name, golden::Engine& engine,
+                 std::function<std::uint64_t()> clock);
 
   tlm_utils::simple_target_socket<HardwareModule> registers_socket;
   tlm_utils::simple_initiator_socket<HardwareModule> memory_socket;
@@ -52,6 +54,8 @@ class HardwareModule : public sc_core::sc_module {
   void execute(const Descriptor& descriptor);
   void take(std::span<const golden::Word> words);
   void give_results();
+  /// Cycles that the engine has worked since it was last asked; it has taken `words` meanwhile.
+  std::uint64_t worked(std::uint64_t words);
   void deliver(std::span<const golden::Word> results);
   void complete(const Descriptor& descriptor, std::uint64_t place);
   void reset();
@@ -63,6 +67,8 @@ class HardwareModule : public sc_core::sc_module {
   sc_core::sc_time transfer(tlm::tlm_command command, std::uint64_t address, std::span<std::uint8_t> data);
 
   golden::Engine& engine_;
+  std::function<std::uint64_t()> clock_;
+  std::uint64_t clock_seen_ = 0;
   DeviceRegisters registers_;
   sc_core::sc_event changed_;  ///< registers, by software or by the hardware
   sc_core::sc_event wake_;     ///< software has changed something

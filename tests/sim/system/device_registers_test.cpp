@@ -21,11 +21,14 @@ struct Device : testing::Test {
 TEST_F(Device, DescribesItsBuild) {
   config.en_slb = true;
   config.en_vpu_topology = true;
+  config.en_perspective = true;
+  config.en_frame_buffer = true;
   const DeviceRegisters full(config);
   EXPECT_EQ(registers.get(hw::kFeaturesOffset), hw::kFeaturesVpuOffsetMask | hw::kFeaturesRingsMask);
   EXPECT_EQ(registers.get(hw::kWidthsSlbOffset), 0u);
-  EXPECT_EQ(full.get(hw::kFeaturesOffset),
-            registers.get(hw::kFeaturesOffset) | hw::kFeaturesSlbMask | hw::kFeaturesVpuTopologyMask);
+  EXPECT_EQ(full.get(hw::kFeaturesOffset), registers.get(hw::kFeaturesOffset) | hw::kFeaturesSlbMask |
+                                               hw::kFeaturesPerspectiveMask | hw::kFeaturesFrameBufferMask |
+                                               hw::kFeaturesVpuTopologyMask);
   EXPECT_EQ(full.get(hw::kWidthsVoxelOffset), 8u | 2u << 8U | 9u << 16U | 22u << 24U);
   EXPECT_EQ(full.get(hw::kWidthsSlbOffset), 8u | 7u << 8U | 7u << 16U | 2u << 24U);
   EXPECT_EQ(full.get(hw::kWidthsTopologyOffset), 4u | 4u << 8U | 20u << 16U | 18u << 24U);
@@ -37,7 +40,7 @@ TEST_F(Device, FreezesWhatItUsesWhileEnabledOrBusy) {
   EXPECT_EQ(registers.write(hw::kCommandBaseLowOffset, 32), Request::None);
   EXPECT_EQ(registers.write(hw::kResultHeadOffset, 1), Request::None);
   EXPECT_EQ(registers.write(hw::kResultTailOffset, 7), Request::Start) << "software's own count";
-  EXPECT_EQ(registers.writes_ignored(), 2u);
+  EXPECT_EQ(registers.untimely_writes(), 2u);
   registers.set_busy(true);
   registers.write(hw::kControlOffset, 0);
   registers.write(hw::kCommandBaseLowOffset, 64);

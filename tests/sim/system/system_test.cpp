@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "sim/registers/registers.hpp"
+#include "sim/rtl_engine.hpp"
 #include "sim/system/system_engine.hpp"
 #include "sim/system/system_top.hpp"
 #include "tests/support/random.hpp"
@@ -199,6 +200,38 @@ TEST(SystemEngine, IsAnEngineLikeAnyOther) {
   EXPECT_EQ(answers(engine, {}), Words{});
   engine.reset();
   EXPECT_EQ(answers(engine, stream(30)), answers(stream(30)));
+}
+
+TEST(SystemEngine, HandsOnEveryUnitsResults) {
+  golden::HardwareConfig config;
+  config.en_slb = true;
+  config.en_vpu_topology = true;
+  config.plane_log2 = config.slb_plane_log2 = 5;
+  const auto golden = golden::make_golden_engine(config);
+  SystemEngine engine({}, golden::make_golden_engine(config), firmware());
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 50; seed < 54; ++seed) {
+    const Words words = stimulus::random_stream(config, {.seed = seed, .commands = 150});
+    const Words expected = answers(*golden, words);
+    EXPECT_EQ(answers(engine, words), expected);
+    compared += expected.size();
+  }
+  EXPECT_GT(compared, 2'000u);
+}
+
+TEST(SystemEngine, RunsTheRtlAtItsOwnPace) {
+  auto rtl = make_rtl_engine({}, {});
+  const RtlEngine& clock = *rtl;
+  SystemEngine engine({}, std::move(rtl), firmware(), [&clock] { return clock.cycle(); });
+  const auto golden = golden::make_golden_engine({});
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 40; seed < 44; ++seed) {
+    const Words words = stream(seed, 60), expected = answers(*golden, words);
+    EXPECT_EQ(answers(engine, words), expected);
+    compared += expected.size();
+  }
+  EXPECT_GT(compared, 500u);
+  EXPECT_GT(engine.system().statistics().cycles, clock.cycle());
 }
 
 }  // namespace
