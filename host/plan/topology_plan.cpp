@@ -23,6 +23,8 @@ struct Choice {
 };
 constexpr std::array<Choice, 4> kChoices = {{{0.7, 2}, {0.35, 1.5}, {0.2, 1}, {0.1, 0.75}}};
 
+constexpr double kCoarser = 1.25;  // from pitch to pitch, until the pool is large enough
+constexpr double kLargestPitch = 16;
 constexpr int kSmallestPool = 4;  // log2; what the hardware can be built with
 
 int log2_at_least(std::uint64_t count) {
@@ -135,6 +137,13 @@ Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<cons
   const auto corners = land(plan);
   if (settings.sorted) sort_by_far(plan.quads, corners);
   const std::uint64_t nodes = count_nodes(plan, corners);
+  const double coarser_pitch = plan.vpu.settings.pitch * kCoarser;
+  if (settings.nodes_log2 == 0 && log2_at_least(nodes) > settings.most_nodes_log2 &&
+      coarser_pitch <= kLargestPitch) {
+    TopologySettings coarser = settings;
+    coarser.pitch = coarser_pitch;
+    return plan_topology(voxels, quads, view, seen, coarser);
+  }
   config.nodes_log2 = settings.nodes_log2 > 0 ? settings.nodes_log2 : log2_at_least(nodes);
   config.quads_log2 = settings.quads_log2 > 0 ? settings.quads_log2 : log2_at_least(quads.size());
   if (const auto wrong = config.check()) return fail(*wrong);

@@ -28,6 +28,8 @@ struct TopologySettings {
   int span_log2 = 4;
   int nodes_log2 = 0;  ///< 0: the smallest pool that holds the scene
   int quads_log2 = 0;  ///< 0: as many records as the scene has quads
+  /// Where a pool as the scene needs would be larger, the pitch grows until it is not.
+  int most_nodes_log2 = 24;
 };
 
 /// Everything topology mode needs for one view of a light.

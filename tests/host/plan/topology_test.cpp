@@ -141,6 +141,23 @@ TEST(Topology, PoolsHoldTheScene) {
   EXPECT_EQ(plan.quads.size(), scene().casting.quads.size());
 }
 
+TEST(Topology, ThePitchGrowsUntilThePoolIsLargeEnough) {
+  const Vec3 light(0.3, 0.2, -1);
+  const TopologyPlan usual = plan_of(light);
+  TopologySettings small;
+  small.most_nodes_log2 = usual.vpu.config.nodes_log2 - 1;
+  const TopologyPlan coarser = plan_of(light, small);
+  EXPECT_EQ(coarser.vpu.config.nodes_log2, small.most_nodes_log2);
+  EXPECT_NEAR(std::remainder(std::log(coarser.settings.pitch), std::log(1.25)), 0, 1e-9);
+  EXPECT_GT(coarser.settings.pitch, usual.settings.pitch);
+  EXPECT_EQ(run(coarser).events.at("NODES_DROPPED"), 0u);
+
+  small.nodes_log2 = 8;
+  const TopologyPlan told = plan_of(light, small);
+  EXPECT_EQ(told.settings.pitch, usual.settings.pitch) << "a pool that the user chose is kept";
+  EXPECT_GT(run(told).events.at("NODES_DROPPED"), 0u);
+}
+
 TEST(Topology, ASmallPoolIsFlaggedAndLosesNoShadow) {
   TopologySettings settings;
   const auto whole = run(plan_of(kLights[1]));
