@@ -34,7 +34,7 @@ pipeline::RunSettings run_settings(const config::Settings& settings) {
   pipeline::RunSettings run;
   run.res = static_cast<std::uint32_t>(settings.integer("res"));
   run.adjacency = adjacency_of(settings);
-  run.technique = settings.word("technique");
+  run.techniques = settings.words("technique");
   run.vpu = vpu_settings(settings);
   run.topology = topology_settings(settings, run.vpu);
   run.slb = slb_settings(settings);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the hardware is asked to do for a scene: one command stream a light.
+// What the hardware is asked to do for a scene: one command stream for each technique and light.
 #pragma once
 
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/config.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,12 +17,14 @@
 namespace gnomon::cli {
 
 struct ShadowJob {
+  std::string name;  ///< "light 2, slb"; empty where there is one light and one technique
   golden::HardwareConfig config;
   std::vector<golden::Word> stream;
 };
 
-/// Voxelizes the scene and makes the technique's stream for every light: a silhouette-line buffer is asked
-/// about every voxel. Throws Interrupted.
+/// Voxelizes the scene and makes every technique's stream for every light, all its views in one stream: a
+/// silhouette-line buffer is asked about every voxel. Lights that reach nothing have none. Throws
+/// Interrupted.
 Result<std::vector<ShadowJob>> shadow_jobs(Context& context, const LoadedScene& input);
 
 /// Options of the rtl engine that several subcommands share: seed, Ctrl-C, and faults to be built in.

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One light of one scene.
+/// One technique for one light of one scene.
 struct Verdict {
   std::string name;
   sim::CompareReport report;
@@ -71,7 +71,8 @@ class VerifyCommand : public Command {
         return compare(context, cache, (*jobs)[i], input->settings);
       });
       if (!verdict) return tl::make_unexpected(verdict.error());
-      verdict->name = jobs->size() == 1 ? scene.string() : fmt::format("{}, light {}", scene.string(), i + 1);
+      const std::string& job = (*jobs)[i].name;
+      verdict->name = job.empty() ? scene.string() : scene.string() + ", " + job;
       if (!json_) print_text(*verdict, scene, input->settings);
       verdicts.push_back(std::move(*verdict));
     }

@@ -38,6 +38,12 @@ Parameter choice(std::string_view key, std::vector<std::string_view> words, std:
   return {key, Type::Choice, 0, 0, std::move(words), std::move(preset), "", help};
 }
 
+/// One of `words` or several, each once; the first is the default.
+Parameter choices(std::string_view key, std::vector<std::string_view> words, std::string_view help) {
+  std::string preset(words.front());
+  return {key, Type::Choices, 0, 0, std::move(words), std::move(preset), "", help};
+}
+
 /// The published encodings.
 Parameter slb_preset() {
   Parameter preset =
@@ -56,7 +62,8 @@ std::vector<Parameter> make_parameters() {
       integer("res", 256, 16, 2048, "voxels", "side of the voxel grid"),
       integer_of("adjacency", 26, {"6", "18", "26"}, "neighbours",
                  "which voxels count as neighbours of each other"),
-      choice("technique", {"voxel-offset", "voxel-topology", "slb", "slb+voxel"}, "how shadows are decided"),
+      choices("technique", {"voxel-offset", "voxel-topology", "slb", "slb+voxel"},
+              "how shadows are decided; several, with commas between them, are shown side by side"),
       integer_of("plane", 0, {"0", "16", "32", "64", "128", "256", "512", "1024", "2048", "4096"}, "entries",
                  "side of the technique's projection plane; 0: the smallest that holds the scene"),
       number("pitch", 1.4, 0.25, 16, "voxels/entry",
@@ -137,9 +144,34 @@ Result<Value> parse_vector(std::string_view key, std::string_view text) {
   return vector;
 }
 
+Result<Value> parse_choices(const Parameter& parameter, std::string_view text) {
+  std::vector<std::string_view> taken;
+  for (const std::string_view word : split(text)) {
+    if (std::ranges::find(parameter.words, word) == parameter.words.end()) {
+      return fail(fmt::format("{}={} is unknown or not in this build, expected {}", parameter.key, word,
+                              parameter.range()));
+    }
+    if (std::ranges::find(taken, word) != taken.end())
+      return fail(fmt::format("{}={} names {} twice", parameter.key, text, word));
+    taken.push_back(word);
+  }
+  return std::string(text);
+}
+
 }  // namespace
 
+std::vector<std::string_view> split(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0;;) {
+    const std::size_t comma = text.find(',', at);
+    words.push_back(text.substr(at, comma - at));
+    if (comma == std::string_view::npos) return words;
+    at = comma + 1;
+  }
+}
+
 std::string Parameter::range() const {
+  if (type == Type::Choices) return fmt::format("{}, or several: a,b", fmt::join(words, " | "));
   if (!words.empty()) return fmt::format("{}", fmt::join(words, " | "));
   if (type == Type::Vector) return "x,y,z";
   return fmt::format("{}..{}", low, high);
@@ -150,6 +182,8 @@ Result<Value> Parameter::parse(std::string_view text) const {
   switch (type) {
     case Type::Vector:
       return parse_vector(key, text);
+    case Type::Choices:
+      return parse_choices(*this, text);
     case Type::Choice:
       if (std::find(words.begin(), words.end(), text) == words.end()) {
         return fail(fmt::format("{}={} is unknown or not in this build, expected {}", key, text, range()));

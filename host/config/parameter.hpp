@@ -16,9 +16,10 @@ namespace gnomon::config {
 
 inline constexpr std::string_view kEnvironmentPrefix = "GNOMON_SET_";
 
-enum class Type : std::uint8_t { Integer, Number, Choice, Vector };
+enum class Type : std::uint8_t { Integer, Number, Choice, Choices, Vector };
 
-/// What a parameter can hold: Integer, Number, Choice (its word) or Vector (three numbers).
+/// What a parameter can hold: Integer, Number, Choice (its word), Choices (its words, with commas) or Vector
+/// (three numbers).
 using Value = std::variant<std::int64_t, double, std::string, std::array<double, 3>>;
 
 /// Choosing `word` gives the parameter `key` another default.
@@ -30,12 +31,13 @@ struct Implied {
 struct Parameter {
   std::string_view key;
   Type type;
-  double low, high;                     ///< of Integer and Number, both ends included
-  std::vector<std::string_view> words;  ///< of Choice, and of an Integer that takes certain values only
-  Value preset;                         ///< the default value
-  std::string_view unit;                ///< empty where it has none
-  std::string_view help;                ///< one line
-  std::vector<Implied> implies = {};    ///< of Choice: what its words preset
+  double low, high;  ///< of Integer and Number, both ends included
+  std::vector<std::string_view>
+      words;              ///< of Choice, Choices, and of an Integer that takes certain values only
+  Value preset;           ///< the default value
+  std::string_view unit;  ///< empty where it has none
+  std::string_view help;  ///< one line
+  std::vector<Implied> implies = {};  ///< of Choice: what its words preset
 
   /// "16..2048", "on | off", "x,y,z": what may be written after key=.
   std::string range() const;
@@ -50,6 +52,9 @@ std::span<const Parameter> parameters();
 
 /// The parameter named `key`, or one line that names the nearest key.
 Result<const Parameter*> find_parameter(std::string_view key);
+
+/// "a,b" -> a, b: the words of a value of Choices.
+std::vector<std::string_view> split(std::string_view text);
 
 /// As it would be written on the command line.
 std::string to_text(const Value& value);

@@ -64,6 +64,11 @@ Result<Settings> Settings::resolve(std::span<const std::vector<Assignment>> weak
   return settings;
 }
 
+std::vector<std::string> Settings::words(std::string_view key) const {
+  const std::vector<std::string_view> parts = split(word(key));
+  return {parts.begin(), parts.end()};
+}
+
 std::vector<std::string> Settings::as_flags() const {
   std::vector<std::string> flags;
   for (const Parameter& parameter : parameters()) {

@@ -41,6 +41,8 @@ class Settings {
   std::int64_t integer(std::string_view key) const { return std::get<std::int64_t>(entry(key).value); }
   double number(std::string_view key) const { return std::get<double>(entry(key).value); }
   const std::string& word(std::string_view key) const { return std::get<std::string>(entry(key).value); }
+  /// Of a parameter that takes a list: its words.
+  std::vector<std::string> words(std::string_view key) const;
   bool is_on(std::string_view key) const { return word(key) == "on"; }
   std::array<double, 3> vector(std::string_view key) const {
     return std::get<std::array<double, 3>>(entry(key).value);

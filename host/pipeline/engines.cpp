@@ -12,7 +12,7 @@
 namespace gnomon::pipeline {
 namespace {
 
-constexpr std::size_t kChunkWords = 1U << 16;  // a millisecond or so of golden
+constexpr std::size_t kChunkWords = std::size_t{1} << 16;  // a millisecond or so of golden
 
 /// Gives answers that are known already: golden is timed alone and runs once.
 class KnownAnswers final : public golden::Engine {
@@ -69,23 +69,39 @@ report::CompareRecord compare_record(const sim::CompareReport& report, const std
   return record;
 }
 
+std::map<std::string, std::uint64_t> since(std::map<std::string, std::uint64_t> now,
+                                           const std::map<std::string, std::uint64_t>& before) {
+  for (const auto& [name, count] : before) now[name] -= count;
+  return now;
+}
+
+std::uint64_t entries_hit(golden::Engine& engine) {
+  const std::vector<std::uint32_t> plane = engine.read_plane();
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(plane, [](std::uint32_t code) { return code != golden::kEmpty; }));
+}
+
 }  // namespace
 
 EngineAnswers run_stream(golden::Engine& engine, std::span<const golden::Word> stream,
-                         const std::function<void(double)>& progress) {
+                         std::span<const std::size_t> ends, const std::function<void(double)>& progress) {
   EngineAnswers answers;
   const auto take = [&](std::span<const golden::Word> words) {
     answers.results.insert(answers.results.end(), words.begin(), words.end());
   };
-  for (std::size_t at = 0; at < stream.size(); at += kChunkWords) {
-    engine.submit(stream.subspan(at, std::min(kChunkWords, stream.size() - at)));
-    engine.drain(take);
-    progress(static_cast<double>(at) / static_cast<double>(stream.size()));
+  std::size_t at = 0;
+  for (const std::size_t end : ends) {
+    while (at < end) {
+      const std::size_t words = std::min(kChunkWords, end - at);
+      engine.submit(stream.subspan(at, words));
+      engine.drain(take);
+      progress(static_cast<double>(at) / static_cast<double>(stream.size()));
+      at += words;
+    }
+    golden::Counters counters = engine.counters();
+    answers.parts.push_back({since(counters.events, answers.counters.events), entries_hit(engine)});
+    answers.counters = std::move(counters);
   }
-  answers.counters = engine.counters();
-  const std::vector<std::uint32_t> plane = engine.read_plane();
-  answers.plane_entries_hit = static_cast<std::uint64_t>(
-      std::ranges::count_if(plane, [](std::uint32_t code) { return code != golden::kEmpty; }));
   return answers;
 }
 

@@ -2,8 +2,9 @@
 // A command stream on the golden model, and on the rtl engine checked against it.
 #pragma once
 
+#include <functional>
 #include <gnomon/golden/engine.hpp>
-#include <memory>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,16 +14,23 @@
 
 namespace gnomon::pipeline {
 
+/// What an engine did in a part of a stream.
+struct PartAnswers {
+  std::map<std::string, std::uint64_t> events;  ///< counted meanwhile
+  std::uint64_t plane_entries_hit = 0;          ///< not empty after the part
+};
+
 /// All that an engine gave for a stream.
 struct EngineAnswers {
   std::vector<golden::Word> results;
   golden::Counters counters;
-  std::uint64_t plane_entries_hit = 0;  ///< not empty after the stream
+  std::vector<PartAnswers> parts;
 };
 
-/// Runs `stream` from reset. `progress` takes 0..1 and may throw to end the run.
+/// Runs `stream` from reset; `ends` are the ends of its parts, ascending, the last being the stream's.
+/// `progress` takes 0..1 and may throw to end the run.
 EngineAnswers run_stream(golden::Engine& engine, std::span<const golden::Word> stream,
-                         const std::function<void(double)>& progress);
+                         std::span<const std::size_t> ends, const std::function<void(double)>& progress);
 
 /// What the rtl engine did, compared with what golden gave.
 struct RtlAnswers {

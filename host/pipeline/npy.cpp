@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 namespace gnomon::pipeline {
@@ -27,17 +28,26 @@ std::string npy_header(std::size_t rows, std::size_t columns) {
   return bytes + text;
 }
 
-std::string voxels_npy(const voxel::VoxelSet& voxels, std::span<const golden::VoxelState> states) {
-  if (states.size() != voxels.voxels.size()) throw std::invalid_argument("voxels_npy: one state a voxel");
-  std::vector<std::array<std::int32_t, 4>> rows;
-  rows.reserve(states.size());
-  for (std::size_t i = 0; i < states.size(); ++i) {
+std::string voxels_npy(const voxel::VoxelSet& voxels,
+                       std::span<const std::vector<golden::VoxelState>> states) {
+  for (const auto& light : states)
+    if (light.size() != voxels.voxels.size()) throw std::invalid_argument("voxels_npy: one state a voxel");
+  const auto place = [&](std::uint32_t i) {
     const voxel::Voxel& v = voxels.voxels[i];
-    rows.push_back({v.x, v.y, v.z, static_cast<std::int32_t>(states[i])});
+    return std::tuple(v.x, v.y, v.z);
+  };
+  std::vector<std::uint32_t> order(voxels.voxels.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::sort(order, {}, place);
+  std::vector<std::int32_t> numbers;
+  numbers.reserve(order.size() * (3 + states.size()));
+  for (const std::uint32_t i : order) {
+    const voxel::Voxel& v = voxels.voxels[i];
+    numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    for (const auto& light : states) numbers.push_back(static_cast<std::int32_t>(light[i]));
   }
-  std::ranges::sort(rows);
-  std::string bytes = npy_header(rows.size(), 4);
-  const auto data = std::as_bytes(std::span(rows));
+  std::string bytes = npy_header(order.size(), 3 + states.size());
+  const auto data = std::as_bytes(std::span(numbers));
   bytes.append(static_cast<const char*>(static_cast<const void*>(data.data())), data.size());
   return bytes;
 }

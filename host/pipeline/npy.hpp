@@ -5,6 +5,7 @@
 #include <gnomon/golden/codec.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "host/voxel/voxel_set.hpp"
 
@@ -14,8 +15,9 @@ namespace gnomon::pipeline {
 /// order.
 std::string npy_header(std::size_t rows, std::size_t columns);
 
-/// voxels.npy: NumPy's format 1.0, int32, shape (N, 4); a row is x, y, z, state (1
-/// lit, 2 in shadow), in ascending order of x, y, z. `states` runs as `voxels.voxels`.
-std::string voxels_npy(const voxel::VoxelSet& voxels, std::span<const golden::VoxelState> states);
+/// voxels.npy: NumPy's format 1.0, int32, shape (N, 3 + lights); a row is x, y, z and a state for each light
+/// (1 lit, 2 in shadow), in ascending order of x, y, z. Each of `states` runs as `voxels.voxels`.
+std::string voxels_npy(const voxel::VoxelSet& voxels,
+                       std::span<const std::vector<golden::VoxelState>> states);
 
 }  // namespace gnomon::pipeline

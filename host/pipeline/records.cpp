@@ -43,15 +43,13 @@ report::RunRecord request_record(const RunRequest& request) {
   record.command_line = request.command_line;
   record.versions = request.versions;
   record.engine = request.engine == EngineKind::Rtl ? "rtl" : "golden";
-  record.technique = request.settings.technique;
   record.seed = request.seed;
   record.parameters = request.parameters;
   record.clock_mhz = request.settings.clock_mhz;
-  for (const Light& light : request.scene.lights) {
-    record.lights.push_back(report::DirectionalLight{std::get<DirectionalLight>(light).direction});
-  }
+  for (const Light& light : request.scene.lights) record.lights.emplace_back().light = light;
   for (const scene::Object& object : request.scene.objects) {
-    record.objects.push_back({object.name, object.ground, object.two_sided, object.statistics});
+    record.objects.push_back(
+        {object.name, object.ground, object.two_sided, object.casts, object.receives, object.statistics});
   }
   record.warnings = request.scene.warnings;
   return record;
@@ -66,6 +64,11 @@ std::vector<report::RegisterRecord> register_records(const plan::VpuPlan& plan) 
                        format.is_signed, format.frac_bits});
   }
   return records;
+}
+
+report::PlaneRecord plane_record(const plan::VpuPlan& plan, const PartAnswers& golden) {
+  return {static_cast<std::uint32_t>(plan.config.plane_side()), golden.plane_entries_hit,
+          plan.projection.pitch, 1};
 }
 
 report::ErrorsRecord errors_record(const metrics::ShadowTruth& truth, const voxel::VoxelSet& voxels,
@@ -99,6 +102,12 @@ report::ShadowMapRecord shadow_map_record(const metrics::ShadowTruth& truth, con
 report::ExactRecord exact_record(const metrics::ExactReference& reference,
                                  const metrics::ShadowTruth& truth) {
   return {reference.triangles(), reference.sag(), reference.lift(), truth.rays};
+}
+
+report::MislabelCounts mask_record(const render::Picture& picture, const render::Picture& reference,
+                                   std::size_t light) {
+  const metrics::MaskError mask = metrics::mask_error(picture.mask_of(light), reference.mask_of(light));
+  return {mask.receivers, mask.false_shadow, mask.false_lit};
 }
 
 report::PictureRecord picture_record(const render::Picture& picture, const render::Picture& reference) {

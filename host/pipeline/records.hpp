@@ -10,15 +10,18 @@
 #include "host/base/light_plane.hpp"
 #include "host/metrics/exact_reference.hpp"
 #include "host/metrics/shadow_error.hpp"
+#include "host/pipeline/engines.hpp"
 #include "host/pipeline/run.hpp"
 #include "host/render/picture.hpp"
 
 namespace gnomon::pipeline {
 
-/// The request's own part: scene, parameters, versions.
+/// The request's own part: scene, parameters, versions. Lights without results.
 report::RunRecord request_record(const RunRequest& request);
 
 std::vector<report::RegisterRecord> register_records(const plan::VpuPlan& plan);
+
+report::PlaneRecord plane_record(const plan::VpuPlan& plan, const PartAnswers& golden);
 
 /// The technique against the exact answers; where there is one, the method in double too, and both against
 /// each other.
@@ -37,6 +40,12 @@ report::ShadowMapRecord shadow_map_record(const metrics::ShadowTruth& truth, con
 report::ExactRecord exact_record(const metrics::ExactReference& reference, const metrics::ShadowTruth& truth);
 
 report::PictureRecord picture_record(const render::Picture& picture, const render::Picture& reference);
+/// What one light's mask says.
+report::MislabelCounts mask_record(const render::Picture& picture, const render::Picture& reference,
+                                   std::size_t light);
+
+/// Fills what `record` says of all lights and views together from record.lights and record.hardware.
+void add_totals(report::RunRecord& record);
 
 /// The index of the scene's ground, if it has one.
 std::optional<std::uint32_t> ground_of(const scene::Scene& scene);

@@ -34,7 +34,8 @@ enum class EngineKind : std::uint8_t {
 struct RunSettings {
   std::uint32_t res = 256;
   voxel::Adjacency adjacency = voxel::Adjacency::N26;
-  std::string technique = "voxel-offset";  ///< or "voxel-topology", "slb", "slb+voxel"
+  /// Of "voxel-offset", "voxel-topology", "slb", "slb+voxel", each once; the first leads the report.
+  std::vector<std::string> techniques{"voxel-offset"};
   plan::VpuSettings vpu;
   plan::TopologySettings topology;
   plan::SlbSettings slb;
@@ -76,6 +77,7 @@ struct RunRequest {
 };
 
 struct RunOutcome {
+  /// Of the first technique whose comparison failed, else of the first.
   report::CompareRecord compare;
   nlohmann::ordered_json metrics;  ///< what metrics.json holds (docs/report.md)
   std::filesystem::path output;    ///< where the report lies
@@ -85,10 +87,11 @@ struct RunOutcome {
 };
 
 /// Does the whole job and leaves in `request.output`: report.html, image.png, reference.png, error.png,
-/// metrics.json, voxels.npy and stream.gnomon, all or none of them. A failed comparison is an outcome, not an
-/// error: the report is written and shows it. Errors are what the user can cure: settings that make no legal
-/// hardware, more lights than the technique takes, an output directory that cannot be written, no compiler
-/// for the rtl engine, an interruption.
+/// metrics.json, voxels.npy and stream.gnomon, all or none of them; of each further technique T image-T.png,
+/// error-T.png, voxels-T.npy and stream-T.gnomon. A failed comparison is an outcome, not an error: the report
+/// is written and shows it. Errors are what the user can cure: settings that make no legal hardware, a light
+/// that a technique does not know, an output directory that cannot be written, no compiler for the rtl
+/// engine, an interruption.
 Result<RunOutcome> run(const RunRequest& request);
 
 }  // namespace gnomon::pipeline

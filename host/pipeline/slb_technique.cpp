@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <gnomon/golden/slb/codec.hpp>
 #include <gnomon/golden/stream.hpp>
 #include <utility>
@@ -70,12 +71,14 @@ class SlbTechnique final : public Technique {
   double pitch() const override { return slb_.plane.pitch; }
   std::optional<std::vector<VoxelState>> in_double() const override { return std::nullopt; }
 
-  Result<std::vector<golden::Word>> stream(std::span<const Receiver> points) override;
+  Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                     std::span<const Receiver> points) override;
   Result<Answers> decode(std::span<const golden::Word> results) const override;
   std::vector<LightPlane> shadow_maps() const override {
     return {slb_.plane, slb_.plane.finer(1 << config_.frac_bits)};
   }
-  void describe(const EngineAnswers& golden, report::RunRecord& record) const override;
+  void describe(const PartAnswers& golden, std::span<const golden::Word> results,
+                report::ViewRecord& record) const override;
   std::optional<render::Image> memory_picture(std::span<const golden::Word> results) const override;
 
  private:
@@ -87,6 +90,8 @@ class SlbTechnique final : public Technique {
   }
   Result<void> draw(golden::StreamWriter& writer) const;
   Result<std::vector<VoxelState>> states_of_voxels(std::span<const golden::Word> results) const;
+  VoxelState state_near(const metrics::VoxelIndex& index, std::span<const VoxelState> states,
+                        const Vec3& point) const;
 
   TechniqueInput input_;
   plan::SlbPlan slb_;
@@ -106,45 +111,47 @@ Result<void> SlbTechnique::draw(golden::StreamWriter& writer) const {
     if (!outline) return fail(outline.error().message);
     outline->front().object = object;
     outlines.push_back(std::move(outline->front()));
-    samples.push_back(
-        plan::sheet_samples(slb_, input_.surfaces[object], input_.voxels, object, input_.two_sided[object]));
+    samples.push_back(plan::sheet_samples(slb_, input_.surfaces[object], input_.voxels, object,
+                                          input_.roles.two_sided[object]));
   }
   plan::draw_casters(writer, slb_, outlines, samples);
   return {};
 }
 
-Result<std::vector<golden::Word>> SlbTechnique::stream(std::span<const Receiver> points) {
-  std::vector<golden::Word> words;
-  if (vpu_) {
-    plan::VpuPlan both = *vpu_;
-    both.config = config_;
-    words = plan::vpu_stream(both, input_.voxels, input_.two_sided);
-  }
-  const std::vector<voxel::Voxel>& voxels = input_.voxels.voxels;
-  receivers_.resize(voxels.size());
-  tbb::parallel_for(std::size_t{0}, voxels.size(), [&](std::size_t i) {
-    const voxel::Voxel& v = voxels[i];
-    receivers_[i] = at_representative(v, input_.surfaces[v.object], input_.light, input_.two_sided[v.object]);
+Result<void> SlbTechnique::write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                                 std::span<const Receiver> points) {
+  if (vpu_) plan::write_vpu(writer, hardware, *vpu_, input_.voxels, input_.seen, input_.roles.two_sided);
+  const std::vector<std::uint32_t>& asked = input_.seen.receivers;
+  receivers_.resize(asked.size());
+  tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
+    const voxel::Voxel& v = input_.voxels.voxels[asked[i]];
+    receivers_[i] = at_representative(v, input_.surfaces[v.object], input_.view.axes.away,
+                                      input_.roles.two_sided[v.object]);
   });
   receivers_.insert(receivers_.end(), points.begin(), points.end());
-
-  golden::StreamWriter writer(config_);
   if (auto done = draw(writer); !done) return fail(done.error().message);
   plan::ask_receivers(writer, slb_, receivers_);
-  writer.fence(1, true);
   if (is_dumped()) writer.read_entries(0, pixels());
-  const std::vector<golden::Word>& slb_words = writer.words();
-  words.insert(words.end(), slb_words.begin(), slb_words.end());
-  return words;
+  return {};
 }
 
 Result<std::vector<VoxelState>> SlbTechnique::states_of_voxels(std::span<const golden::Word> results) const {
-  const auto voxels = plan::voxel_results(results, input_.voxels.voxels.size());
+  const auto voxels = plan::voxel_results(results, input_.seen.receivers.size());
   if (!voxels) return fail(voxels.error().message);
   std::vector<VoxelState> states;
   states.reserve(voxels->size());
   for (const golden::VoxelResult& result : *voxels) states.push_back(result.state);
   return states;
+}
+
+/// The state that a point's voxel has; lit where it has none or was not asked about.
+VoxelState SlbTechnique::state_near(const metrics::VoxelIndex& index, std::span<const VoxelState> states,
+                                    const Vec3& point) const {
+  const std::uint32_t voxel = index.answering(point);
+  const std::vector<std::uint32_t>& asked = input_.seen.receivers;
+  const auto found = std::ranges::lower_bound(asked, voxel);
+  if (found == asked.end() || *found != voxel) return VoxelState::Lit;
+  return states[static_cast<std::size_t>(found - asked.begin())];
 }
 
 Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) const {
@@ -165,7 +172,7 @@ Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) cons
   }
 
   const metrics::VoxelIndex index(input_.voxels);
-  const std::size_t voxel_count = input_.voxels.voxels.size();
+  const std::vector<std::uint32_t>& asked = input_.seen.receivers;
   std::vector<std::uint8_t> shadowed(receivers_.size(), 1);
   std::size_t next = 0;
   for (std::size_t i = 0; i < receivers_.size(); ++i) {
@@ -175,25 +182,25 @@ Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) cons
     const golden::slb::QueryAnswer& answer = answers[next++];
     shadowed[i] = answer.shadow ? 1 : 0;
     if (states.empty() || answer.has_fragment) continue;
-    const std::uint32_t voxel =
-        i < voxel_count ? static_cast<std::uint32_t>(i) : index.answering(Vec3(r.x, r.y, r.z));
-    shadowed[i] = voxel != metrics::kNoVoxel && states[voxel] == VoxelState::Shadow ? 1 : 0;
+    const auto state = i < asked.size() ? states[i] : state_near(index, states, Vec3(r.x, r.y, r.z));
+    shadowed[i] = state == VoxelState::Shadow ? 1 : 0;
   }
   if (next != answers.size()) return fail("the hardware answered more queries than it was asked");
 
   Answers all;
-  const auto first_point = shadowed.begin() + static_cast<std::ptrdiff_t>(voxel_count);
+  const auto first_point = shadowed.begin() + static_cast<std::ptrdiff_t>(asked.size());
   for (auto at = shadowed.begin(); at != first_point; ++at)
     all.voxels.push_back(*at != 0 ? VoxelState::Shadow : VoxelState::Lit);
   all.points.assign(first_point, shadowed.end());
   return all;
 }
 
-void SlbTechnique::describe(const EngineAnswers& golden, report::RunRecord& record) const {
-  if (vpu_) record.registers = register_records(*vpu_);
-  if (vpu_)
-    record.plane = report::PlaneRecord{static_cast<std::uint32_t>(vpu_->config.plane_side()),
-                                       golden.plane_entries_hit, vpu_->projection.pitch};
+void SlbTechnique::describe(const PartAnswers& golden, std::span<const golden::Word> results,
+                            report::ViewRecord& record) const {
+  if (vpu_) {
+    record.registers = register_records(*vpu_);
+    record.plane = plane_record(*vpu_, golden);
+  }
   const golden::slb::SlbConfig slb = config_.slb_config();
   report::SlbRecord& use = record.slb.emplace();
   use.side = static_cast<std::uint32_t>(slb_.plane.side);
@@ -201,7 +208,7 @@ void SlbTechnique::describe(const EngineAnswers& golden, report::RunRecord& reco
   use.entry_bits = static_cast<std::uint64_t>(slb.stored_entry_bits());
   use.pixel_scratch_bits = kScratchBits;
   use.row_bits = kCarryBits;
-  for (const golden::slb::Entry& entry : entries_of(golden.results, slb)) {
+  for (const golden::slb::Entry& entry : entries_of(results, slb)) {
     ++use.pixels_by_fragments.at(entry.count);
     use.full_pixels += entry.full_depth != slb.no_depth() ? 1U : 0U;
     use.overflow_pixels += entry.overflow ? 1U : 0U;
@@ -218,14 +225,19 @@ std::optional<render::Image> SlbTechnique::memory_picture(std::span<const golden
 
 }  // namespace
 
-Result<std::unique_ptr<Technique>> make_slb(const RunSettings& settings, const TechniqueInput& input,
-                                            bool with_voxels) {
-  auto slb = plan::plan_slb(input.voxels, input.surfaces.size(), input.light, settings.slb);
+Result<std::unique_ptr<Technique>> make_slb(const RunSettings& settings, const TechniqueInput& input) {
+  auto slb = plan::plan_slb(input.voxels, input.roles.casts, input.view.axes.away, settings.slb);
   if (!slb) return fail(slb.error().message);
-  if (!with_voxels) return std::make_unique<SlbTechnique>(input, std::move(*slb), std::nullopt);
+  return std::make_unique<SlbTechnique>(input, std::move(*slb), std::nullopt);
+}
+
+Result<std::unique_ptr<Technique>> make_slb_with_voxels(const RunSettings& settings,
+                                                        const TechniqueInput& input) {
+  auto slb = plan::plan_slb(input.voxels, input.roles.casts, input.view.axes.away, settings.slb);
+  if (!slb) return fail(slb.error().message);
   plan::VpuSettings vpu_settings = settings.vpu;
   vpu_settings.plane_log2 = 0;  // `plane` is the SLB's here
-  auto vpu = plan::plan_vpu(input.voxels, input.light, vpu_settings);
+  auto vpu = plan::plan_vpu(input.voxels, input.view, input.seen, vpu_settings);
   if (!vpu) return fail(vpu.error().message);
   return std::make_unique<SlbTechnique>(input, std::move(*slb), std::move(*vpu));
 }

@@ -7,8 +7,10 @@
 
 namespace gnomon::pipeline {
 
-/// `with_voxels`: where a pixel holds no fragment, the voxel's state decides.
-Result<std::unique_ptr<Technique>> make_slb(const RunSettings& settings, const TechniqueInput& input,
-                                            bool with_voxels);
+/// The view must be a directional light's.
+Result<std::unique_ptr<Technique>> make_slb(const RunSettings& settings, const TechniqueInput& input);
+/// Where a pixel holds no fragment, the voxel's state decides.
+Result<std::unique_ptr<Technique>> make_slb_with_voxels(const RunSettings& settings,
+                                                        const TechniqueInput& input);
 
 }  // namespace gnomon::pipeline

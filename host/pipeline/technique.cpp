@@ -1,23 +1,83 @@
 // SPDX-License-Identifier: Apache-2.0
-// All techniques by name.
+// All techniques by name, and the hardware of several views.
 #include "host/pipeline/technique.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "host/pipeline/slb_technique.hpp"
 #include "host/pipeline/voxel_offset.hpp"
 #include "host/pipeline/voxel_topology.hpp"
 
 namespace gnomon::pipeline {
+namespace {
 
-Result<std::unique_ptr<Technique>> make_technique(const RunSettings& settings, const TechniqueInput& input) {
-  if (settings.technique == "voxel-offset") return make_voxel_offset(settings, input);
-  if (settings.technique == "voxel-topology") return make_voxel_topology(settings, input);
-  if (settings.technique == "slb") return make_slb(settings, input, false);
-  if (settings.technique == "slb+voxel") return make_slb(settings, input, true);
-  return fail(
-      fmt::format("technique={} is unknown, expected one of voxel-offset, voxel-topology, slb, slb+voxel",
-                  settings.technique));
+using Techniques = std::vector<std::unique_ptr<Technique>>;
+using Make = Result<std::unique_ptr<Technique>>(const RunSettings&, const TechniqueInput&);
+
+Result<Techniques> each(const RunSettings& settings, std::span<const TechniqueInput> views, Make* make) {
+  Techniques all;
+  for (const TechniqueInput& view : views) {
+    auto made = make(settings, view);
+    if (!made) return fail(made.error().message);
+    all.push_back(std::move(*made));
+  }
+  return all;
+}
+
+/// Vertices and queries are written for the plane of the hardware: every view gets the largest.
+Result<Techniques> with_one_plane(RunSettings settings, std::span<const TechniqueInput> views, Make* make) {
+  Result<Techniques> all = each(settings, views, make);
+  if (!all) return all;
+  for (const auto& technique : *all)
+    settings.slb.plane_log2 = std::max(settings.slb.plane_log2, technique->config().slb_plane_log2);
+  const bool alike = std::ranges::all_of(*all, [&](const auto& technique) {
+    return technique->config().slb_plane_log2 == settings.slb.plane_log2;
+  });
+  return alike ? std::move(all) : each(settings, views, make);
+}
+
+bool is_directional_only(const std::string& technique) {
+  return technique.starts_with("slb");
+}
+
+}  // namespace
+
+golden::HardwareConfig joined_hardware(golden::HardwareConfig a, const golden::HardwareConfig& b) {
+  a.en_vpu_offset |= b.en_vpu_offset;
+  a.en_vpu_topology |= b.en_vpu_topology;
+  a.en_slb |= b.en_slb;
+  a.en_perspective |= b.en_perspective;
+  a.plane_log2 = std::max(a.plane_log2, b.plane_log2);
+  a.span_log2 = std::max(a.span_log2, b.span_log2);
+  a.nodes_log2 = std::max(a.nodes_log2, b.nodes_log2);
+  a.quads_log2 = std::max(a.quads_log2, b.quads_log2);
+  a.slb_plane_log2 = std::max(a.slb_plane_log2, b.slb_plane_log2);
+  return a;
+}
+
+Result<Techniques> make_techniques(const std::string& name, const RunSettings& settings,
+                                   std::span<const TechniqueInput> views) {
+  if (name == "voxel-offset") return each(settings, views, make_voxel_offset);
+  if (name == "voxel-topology") return each(settings, views, make_voxel_topology);
+  if (name == "slb") return with_one_plane(settings, views, make_slb);
+  if (name == "slb+voxel") return with_one_plane(settings, views, make_slb_with_voxels);
+  return fail(fmt::format(
+      "technique={} is unknown, expected one of voxel-offset, voxel-topology, slb, slb+voxel", name));
+}
+
+Result<void> check_lights(const scene::Scene& scene, std::span<const std::string> techniques) {
+  for (const std::string& technique : techniques) {
+    if (!is_directional_only(technique)) continue;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+      if (std::holds_alternative<DirectionalLight>(scene.lights[i])) continue;
+      const bool spot = std::holds_alternative<SpotLight>(scene.lights[i]);
+      return fail(fmt::format("{}: error: light {} is a {} light, technique={} takes directional lights only",
+                              scene.source.string(), i + 1, spot ? "spot" : "point", technique));
+    }
+  }
+  return {};
 }
 
 }  // namespace gnomon::pipeline

@@ -4,9 +4,11 @@
 
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/config.hpp>
+#include <gnomon/golden/stream.hpp>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "host/base/light_plane.hpp"
@@ -14,6 +16,8 @@
 #include "host/base/result.hpp"
 #include "host/pipeline/engines.hpp"
 #include "host/pipeline/run.hpp"
+#include "host/pipeline/scene_quads.hpp"
+#include "host/plan/light_view.hpp"
 #include "host/render/picture.hpp"
 #include "host/report/run_record.hpp"
 #include "host/surface/limit_surface.hpp"
@@ -21,46 +25,62 @@
 
 namespace gnomon::pipeline {
 
-/// The scene as techniques see it, in grid coordinates. What it refers to outlives the technique.
+/// One view of one light over the scene, in grid coordinates. What it refers to outlives the technique.
 struct TechniqueInput {
   std::span<const surface::LimitSurface> surfaces;
-  const std::vector<bool>& two_sided;  ///< by object
+  const plan::ObjectRoles& roles;
   const voxel::VoxelSet& voxels;
-  Vec3 light;  ///< the way it travels
+  SceneQuads& quads;
+  const plan::LightView& view;
+  const plan::ViewVoxels& seen;
 };
 
 /// What came out, in the order of what went in.
 struct Answers {
-  std::vector<golden::VoxelState> voxels;  ///< Lit or Shadow at each voxel's representative
-  std::vector<std::uint8_t> points;        ///< 1 for shadow, one a receiver; empty if it knows voxels alone
+  std::vector<golden::VoxelState> voxels;  ///< Lit or Shadow at each receiver's representative
+  std::vector<std::uint8_t> points;        ///< 1 for shadow, one a point; empty if it knows voxels alone
 };
 
+/// A way to decide shadows, in one view of one light.
 class Technique {
  public:
   virtual ~Technique() = default;
 
+  /// The hardware that this view alone asks for.
   virtual const golden::HardwareConfig& config() const = 0;
   /// Answers at any point, not only at voxels.
   virtual bool answers_points() const = 0;
-  /// All commands of the run, from reset. `points` is empty unless answers_points().
-  virtual Result<std::vector<golden::Word>> stream(std::span<const Receiver> points) = 0;
-  /// The answers among all results of that stream.
+  /// All commands of the view but the closing fence. `hardware` is the writer's, that of all views
+  /// (joined_hardware). `points` is empty unless answers_points().
+  virtual Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                             std::span<const Receiver> points) = 0;
+  /// The answers among the results of these commands.
   virtual Result<Answers> decode(std::span<const golden::Word> results) const = 0;
-  /// The method in double precision at the voxels; nothing where there is no such thing.
+  /// The method in double precision at the receivers; nothing where there is no such thing.
   virtual std::optional<std::vector<golden::VoxelState>> in_double() const = 0;
   /// Voxels per entry or pixel of the plane in which displacements are measured.
   virtual double pitch() const = 0;
   /// Shadow maps over the same area that it is to be measured against.
   virtual std::vector<LightPlane> shadow_maps() const { return {}; }
-  /// Its part of the record, once golden has run.
-  virtual void describe(const EngineAnswers& golden, report::RunRecord& record) const = 0;
+  /// Its part of the view's record, once golden has run; `results` are the view's.
+  virtual void describe(const PartAnswers& golden, std::span<const golden::Word> results,
+                        report::ViewRecord& record) const = 0;
   /// What its memory holds, if that is worth looking at.
   virtual std::optional<render::Image> memory_picture(std::span<const golden::Word>) const {
     return std::nullopt;
   }
 };
 
-/// The technique named in the settings; errors name the setting that is to be changed.
-Result<std::unique_ptr<Technique>> make_technique(const RunSettings& settings, const TechniqueInput& input);
+/// One hardware for several views: the largest of every size, every unit that some view needs.
+golden::HardwareConfig joined_hardware(golden::HardwareConfig a, const golden::HardwareConfig& b);
+
+/// The technique `name`, an object a view; all views together ask for one hardware. Errors name the setting
+/// that is to be changed.
+Result<std::vector<std::unique_ptr<Technique>>> make_techniques(const std::string& name,
+                                                                const RunSettings& settings,
+                                                                std::span<const TechniqueInput> views);
+
+/// Fails where a technique does not know a light of the scene, naming both.
+Result<void> check_lights(const scene::Scene& scene, std::span<const std::string> techniques);
 
 }  // namespace gnomon::pipeline

@@ -18,12 +18,14 @@ class VoxelOffset final : public Technique {
   bool answers_points() const override { return false; }
   double pitch() const override { return plan_.projection.pitch; }
 
-  Result<std::vector<golden::Word>> stream(std::span<const Receiver>) override {
-    return plan::vpu_stream(plan_, input_.voxels, input_.two_sided);
+  Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                     std::span<const Receiver>) override {
+    plan::write_vpu(writer, hardware, plan_, input_.voxels, input_.seen, input_.roles.two_sided);
+    return {};
   }
 
   Result<Answers> decode(std::span<const golden::Word> results) const override {
-    const auto voxels = plan::voxel_results(results, input_.voxels.voxels.size());
+    const auto voxels = plan::voxel_results(results, input_.seen.receivers.size());
     if (!voxels) return fail(voxels.error().message);
     Answers answers;
     answers.voxels.reserve(voxels->size());
@@ -32,14 +34,13 @@ class VoxelOffset final : public Technique {
   }
 
   std::optional<std::vector<golden::VoxelState>> in_double() const override {
-    return plan::offset_states_double(plan_, input_.voxels, plan::all_voxels(input_.voxels),
-                                      input_.two_sided);
+    return plan::offset_states_double(plan_, input_.voxels, input_.seen, input_.roles.two_sided);
   }
 
-  void describe(const EngineAnswers& golden, report::RunRecord& record) const override {
+  void describe(const PartAnswers& golden, std::span<const golden::Word>,
+                report::ViewRecord& record) const override {
     record.registers = register_records(plan_);
-    record.plane = report::PlaneRecord{static_cast<std::uint32_t>(plan_.config.plane_side()),
-                                       golden.plane_entries_hit, plan_.projection.pitch};
+    record.plane = plane_record(plan_, golden);
   }
 
  private:
@@ -51,7 +52,7 @@ class VoxelOffset final : public Technique {
 
 Result<std::unique_ptr<Technique>> make_voxel_offset(const RunSettings& settings,
                                                      const TechniqueInput& input) {
-  auto plan = plan::plan_vpu(input.voxels, input.light, settings.vpu);
+  auto plan = plan::plan_vpu(input.voxels, input.view, input.seen, settings.vpu);
   if (!plan) return fail(plan.error().message);
   return std::make_unique<VoxelOffset>(input, std::move(*plan));
 }

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::array<const char*, 6> kSideNames{"+x", "-x", "+y", "-y", "+z", "-z"};
 
+constexpr double kGuard = 4;     // voxels around what a view answers: offset points, corners of quads
+constexpr double kSlant = 1.05;  // the same far from the light, where entries are large
+
 LightView spot_view(const SpotLight& light) {
   LightView view;
   view.kind = LightView::Kind::Spot;
@@ -62,6 +65,16 @@ bool LightView::answers(const Vec3& p) const {
   return along > 0 && (from - axes.away * along).length() <= tangent * along;
 }
 
+bool LightView::can_shadow(const Vec3& p) const {
+  if (kind == Kind::Directional) return true;
+  const Vec3 from = p - eye;
+  const double along = axes.away.dot(from);
+  if (along < -kGuard) return false;
+  const double reach = std::max(along, 0.0) * tangent * kSlant + kGuard;
+  if (kind == Kind::Spot) return (from - axes.away * along).length() <= reach;
+  return std::abs(axes.right.dot(from)) <= reach && std::abs(axes.up.dot(from)) <= reach;
+}
+
 std::string LightView::name() const {
   if (kind == Kind::PointSide) return kSideNames.at(static_cast<std::size_t>(half_axis));
   return kind == Kind::Spot ? "spot" : "directional";
@@ -104,9 +117,9 @@ ViewVoxels view_voxels(const LightView& view, const voxel::VoxelSet& voxels, con
   numbers.receivers.reserve(voxels.voxels.size());
   for (std::uint32_t i = 0; i < voxels.voxels.size(); ++i) {
     const voxel::Voxel& voxel = voxels.voxels[i];
-    if (roles.casts.at(voxel.object)) numbers.casters.push_back(i);
-    if (roles.receives.at(voxel.object) && view.answers(representative(voxel)))
-      numbers.receivers.push_back(i);
+    const Vec3 p = representative(voxel);
+    if (roles.casts.at(voxel.object) && view.can_shadow(p)) numbers.casters.push_back(i);
+    if (roles.receives.at(voxel.object) && view.answers(p)) numbers.receivers.push_back(i);
   }
   return numbers;
 }

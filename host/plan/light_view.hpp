@@ -28,6 +28,8 @@ struct LightView {
   bool perspective() const { return kind != Kind::Directional; }
   /// Whether the answer at p is this view's to give: inside the cone, or on this side of a point light.
   bool answers(const Vec3& p) const;
+  /// Whether something at p can shadow a point that this view answers.
+  bool can_shadow(const Vec3& p) const;
   /// "directional", "spot", "+x" ...
   std::string name() const;
 };
@@ -59,7 +61,8 @@ struct ObjectRoles {
   static ObjectRoles all(std::vector<bool> two_sided);
 };
 
-/// The voxels of the objects that cast, and those of the objects that receive whose answer is this view's.
+/// The voxels of the objects that cast that can shadow something of the view, and those of the objects that
+/// receive whose answer is this view's.
 ViewVoxels view_voxels(const LightView& view, const voxel::VoxelSet& voxels, const ObjectRoles& roles);
 
 }  // namespace gnomon::plan

@@ -95,13 +95,14 @@ outline::LightFrame SlbPlan::frame() const {
   return frame;
 }
 
-Result<SlbPlan> plan_slb(const voxel::VoxelSet& voxels, std::size_t objects, const Vec3& light,
+Result<SlbPlan> plan_slb(const voxel::VoxelSet& voxels, const std::vector<bool>& may_cast, const Vec3& light,
                          const SlbSettings& settings) {
   if (!(light.length() > 0) || !std::isfinite(light.length()))
     return fail("light has no direction: expected three finite numbers, not all 0");
   SlbPlan plan;
   plan.plane.axes = light_axes(light);
-  plan.casts = casting(voxels, objects, plan.plane.axes.away);
+  plan.casts = casting(voxels, may_cast.size(), plan.plane.axes.away);
+  for (std::size_t i = 0; i < may_cast.size(); ++i) plan.casts[i] = plan.casts[i] && may_cast[i];
   Interval x;
   Interval y;
   Interval depth;

@@ -29,9 +29,10 @@ struct SlbPlan {
   outline::LightFrame frame() const;
 };
 
-/// `objects` is their number; `light` is the way the light travels, in grid coordinates. Fails where the
-/// settings make no legal hardware (the error names the key) or nothing casts a shadow.
-Result<SlbPlan> plan_slb(const voxel::VoxelSet& voxels, std::size_t objects, const Vec3& light,
+/// `may_cast`: by object, whether it is to cast shadows at all; `light` is the way the light travels, in grid
+/// coordinates. Fails where the settings make no legal hardware (the error names the key) or nothing casts a
+/// shadow.
+Result<SlbPlan> plan_slb(const voxel::VoxelSet& voxels, const std::vector<bool>& may_cast, const Vec3& light,
                          const SlbSettings& settings);
 
 }  // namespace gnomon::plan

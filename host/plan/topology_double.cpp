@@ -64,6 +64,7 @@ class Lists {
   }
   template <class Visit>
   void for_each_entry(const voxel::LimitQuad& quad, Visit visit) const {
+    if (std::ranges::any_of(quad.points, [&](const Vec3& p) { return projection_.behind(p); })) return;
     Vec2 low(kNothing, kNothing), high(-kNothing, -kNothing);
     for (const Vec3& p : quad.points) {
       const Vec2 e = projection_.entry(p);
@@ -110,26 +111,30 @@ TopologyDouble topology_states_double(const TopologyPlan& plan, const voxel::Vox
                                       std::span<const std::uint32_t> receivers,
                                       const std::vector<bool>& two_sided, double lift) {
   const Projection& projection = plan.vpu.projection;
-  const Vec3 beam = projection.d / projection.codes_per_voxel;
-  const double clearance = plan.settings.clearance * projection.codes_per_voxel;
+
   const Lists lists(projection, quads);
   TopologyDouble out;
 
   const auto hit = [&](const Vec3& start, const voxel::LimitQuad& quad) {
     const auto& p = quad.points;
-    const auto nearer = [](double distance) { return distance > 0 && distance < kNothing; };
+    const Vec3 beam = projection.beam(start);
+    const double light = projection.perspective ? (start - projection.eye).length() : kNothing;
+    const auto nearer = [&](double distance) { return distance > 0 && distance < light; };
     return nearer(published_distance(start, -beam, p[0], p[1], p[2])) ||
            nearer(published_distance(start, -beam, p[0], p[2], p[3]));
   };
   const auto state = [&](const voxel::Voxel& voxel, Effort& effort) {
     Vec3 n(double{voxel.normal[0]}, double{voxel.normal[1]}, double{voxel.normal[2]});
+    if (projection.behind(representative(voxel))) return golden::VoxelState::Shadow;
+    const Vec3 beam = projection.beam(representative(voxel));
     if (two_sided[voxel.object] && n.dot(beam) > 0) n = -n;
     if (-n.dot(beam) <= kGrazing) return golden::VoxelState::Shadow;
     const Vec3 start = representative(voxel) + n * lift;
-    const double depth = projection.depth(start);
+    if (projection.behind(start)) return golden::VoxelState::Lit;
+    const double depth = projection.depth(start) - plan.settings.clearance * projection.codes_a_voxel(start);
     bool uncertain = false, shadow = false;
     for (const std::uint32_t i : lists.at(start)) {
-      if (lists.far(i) + clearance >= depth) continue;
+      if (lists.far(i) >= depth) continue;
       uncertain = true;
       ++effort.tested;
       shadow = hit(start, quads[i]);

@@ -51,9 +51,10 @@ Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<cons
 Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<const voxel::VoxelQuad> quads,
                                    const Vec3& light, const TopologySettings& settings);
 
-/// Registers, clear, put all, resolve `receivers`. The writer's hardware may have a larger plane and larger
-/// pools than the plan. `two_sided[object]` marks open surfaces.
-void write_topology(golden::StreamWriter& writer, const TopologyPlan& plan, const voxel::VoxelSet& voxels,
+/// Registers, clear, put all, resolve `receivers`. `hardware` is the writer's; it may have a larger plane and
+/// larger pools than the plan. `two_sided[object]` marks open surfaces.
+void write_topology(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                    const TopologyPlan& plan, const voxel::VoxelSet& voxels,
                     std::span<const std::uint32_t> receivers, const std::vector<bool>& two_sided);
 /// The same for all voxels, as a stream of its own, and a fence.
 std::vector<golden::Word> topology_stream(const TopologyPlan& plan, const voxel::VoxelSet& voxels,

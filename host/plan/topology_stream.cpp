@@ -29,9 +29,10 @@ void put_quads(golden::StreamWriter& writer, const TopologyPlan& plan) {
 
 }  // namespace
 
-void write_topology(golden::StreamWriter& writer, const TopologyPlan& plan, const voxel::VoxelSet& voxels,
+void write_topology(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                    const TopologyPlan& plan, const voxel::VoxelSet& voxels,
                     std::span<const std::uint32_t> receivers, const std::vector<bool>& two_sided) {
-  writer.set_registers(golden::Register::MatrixUx, plan.vpu.registers);
+  write_registers(writer, hardware, plan.vpu);
   writer.clear_lists();
   put_quads(writer, plan);
   std::vector<golden::VoxelItem> items;
@@ -45,7 +46,7 @@ void write_topology(golden::StreamWriter& writer, const TopologyPlan& plan, cons
 std::vector<golden::Word> topology_stream(const TopologyPlan& plan, const voxel::VoxelSet& voxels,
                                           const std::vector<bool>& two_sided) {
   golden::StreamWriter writer(plan.vpu.config);
-  write_topology(writer, plan, voxels, all_voxels(voxels).receivers, two_sided);
+  write_topology(writer, plan.vpu.config, plan, voxels, all_voxels(voxels).receivers, two_sided);
   writer.fence(0, true);
   return writer.take();
 }

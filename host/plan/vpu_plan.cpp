@@ -2,33 +2,19 @@
 // Chooses the plane, the depth range and the register contents for one directional light (docs/planning.md).
 #include "host/plan/vpu_plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "host/base/light_plane.hpp"
+#include "host/plan/plan_registers.hpp"
 #include "host/plan/representative.hpp"
 
 namespace gnomon::plan {
 namespace {
 
-constexpr int kAxisBits = 21;          // position and normal bits an axis: three axes fill a 64-bit word
-constexpr int kUsualFracBits = 4;      // more buys nothing at 256^3 (docs/planning.md)
-constexpr int kUsualNormalBits = 9;    // more buys nothing at 256^3 (docs/planning.md)
 constexpr double kMinDepthRange = 16;  // voxels; keeps depth coefficients inside their register width
-constexpr int kOffsetFracBits = 16;
-constexpr int kOffsetBits = 18;
-constexpr int kDeltaBits = 12;
-constexpr int kSlopeBits = 16;
-constexpr int kMarginBits = 24;
-
-/// Smallest n with 2^n >= x.
-int log2_ceil(double x) {
-  return static_cast<int>(std::ceil(std::log2(x)));
-}
 
 struct Interval {
   double lo = std::numeric_limits<double>::infinity();
@@ -73,10 +59,6 @@ Projection make_projection(const LightAxes& axes, const Extent& extent, double p
   return projection;
 }
 
-std::int64_t round_fixed(double value, int frac_bits) {
-  return std::llround(std::ldexp(value, frac_bits));
-}
-
 void set_row(std::vector<std::int64_t>& registers, golden::Register first, const Vec3& row,
              double translation, int position_frac_bits, int frac_bits) {
   const auto base = static_cast<std::size_t>(first);
@@ -84,11 +66,6 @@ void set_row(std::vector<std::int64_t>& registers, golden::Register first, const
   for (int axis = 0; axis < 3; ++axis)
     registers[base + static_cast<std::size_t>(axis)] = round_fixed(row[axis] * ulp, frac_bits);
   registers[base + 3] = round_fixed(translation + (row.x + row.y + row.z) * ulp / 2, frac_bits);
-}
-
-/// Shift that brings a magnitude below 2^bits.
-int shift_for(double magnitude, int bits) {
-  return std::max(0, log2_ceil(magnitude + 1) - bits);
 }
 
 /// Margin registers: DELTA_MAX clamps, the squared margin gets as many bits as its register holds.
@@ -131,15 +108,11 @@ Result<void> set_registers(VpuPlan& plan) {
           config.matrix_frac_bits);
   set_row(plan.registers, golden::Register::MatrixDx, projection.d, projection.d1, frac, depth_frac);
 
-  const double unit = std::ldexp(1.0, config.normal_bits - 1) - 1;
-  const std::int64_t factor =
-      round_fixed(std::ldexp(plan.settings.offset_factor, frac) / unit, kOffsetFracBits);
-  if (factor >= (std::int64_t{1} << kOffsetBits))
-    return fail(fmt::format(
-        "offset={} is too large for voxel_frac_bits={} and normal_bits={}: expected at most {:.3g}",
-        plan.settings.offset_factor, frac, config.normal_bits, std::ldexp(4 * unit, -frac)));
-  plan.registers[static_cast<std::size_t>(golden::Register::OffsetFactor)] = factor;
+  const auto factor = offset_factor(plan.settings, config);
+  if (!factor) return tl::make_unexpected(factor.error());
+  plan.registers[static_cast<std::size_t>(golden::Register::OffsetFactor)] = *factor;
 
+  const double unit = std::ldexp(1.0, config.normal_bits - 1) - 1;
   const double per_ulp =
       std::ldexp(unit, -frac);  // voxels that the integer normal of a unit vector spans, in ulps
   set_margin(plan, std::ldexp(projection.codes_per_voxel * per_ulp, depth_frac),
@@ -160,6 +133,7 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const LightView& view, c
                          const VpuSettings& settings) {
   if (seen.casters.empty() && seen.receivers.empty())
     return fail("the scene has no voxels: expected at least one surface inside the grid");
+  if (view.perspective()) return plan_perspective(voxels, view, seen, settings);
   const LightAxes& axes = view.axes;
   const Extent extent = extent_of(voxels, seen, axes);
   const double side = std::max(extent.u.size(), extent.v.size());
@@ -179,17 +153,8 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const LightView& view, c
   }
   plan.settings.pitch = pitch;
 
+  plan.config = hardware_for(voxels, settings);
   auto& config = plan.config;
-  config.voxel_bits = std::max(4, static_cast<int>(std::bit_width(voxels.grid.res - 1)));
-  const int left =
-      kAxisBits - config.voxel_bits - (settings.normal_bits > 0 ? settings.normal_bits : kUsualNormalBits);
-  config.voxel_frac_bits =
-      settings.voxel_frac_bits >= 0 ? settings.voxel_frac_bits : std::clamp(left, 0, kUsualFracBits);
-  config.normal_bits = settings.normal_bits > 0
-                           ? settings.normal_bits
-                           : std::min(kUsualNormalBits, kAxisBits - config.position_bits());
-  config.matrix_frac_bits = settings.matrix_frac_bits;
-  config.depth_bits = settings.depth_bits;
   config.plane_log2 = plane_log2;
   plan.settings.plane_log2 = plane_log2;
   plan.settings.normal_bits = config.normal_bits;

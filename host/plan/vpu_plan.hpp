@@ -12,13 +12,16 @@
 #include "host/base/result.hpp"
 #include "host/base/vec.hpp"
 #include "host/plan/light_view.hpp"
+#include "host/plan/projection.hpp"
 #include "host/voxel/voxel_set.hpp"
 
 namespace gnomon::plan {
 
 /// What the user may choose about the VPU; the rest follows from the scene.
 struct VpuSettings {
-  double pitch = 1.4;          ///< voxels per plane entry
+  double pitch = 1.4;       ///< voxels per plane entry; in perspective at the typical receiver
+  double caster_pitch = 1;  ///< in perspective: the same at the nearest casters, at least
+
   double offset_factor = 0.7;  ///< voxels that an uncertain voxel moves along its normal
   double margin = 1.5;         ///< slope-scaled margin, voxels per unit of tan(N, L)
   double margin_tan_max = 10;  ///< where the margin stops growing
@@ -29,23 +32,12 @@ struct VpuSettings {
   int depth_bits = 20;
 };
 
-/// The projection in double: rows applied to a point in voxels (voxel i spans i..i+1).
-struct Projection {
-  Vec3 u, v, d;  ///< entries a voxel, entries a voxel, depth codes a voxel; orthogonal
-  double u1 = 0, v1 = 0, d1 = 0;
-  double pitch = 1;  ///< voxels per entry
-  double codes_per_voxel = 1;
-  int plane_side = 0;  ///< entries
-  Vec2 entry(const Vec3& p) const { return {u.dot(p) + u1, v.dot(p) + v1}; }
-  double depth(const Vec3& p) const { return d.dot(p) + d1; }
-};
-
 /// Everything the VPU needs for one view of a light.
 struct VpuPlan {
   golden::HardwareConfig config;
   Projection projection;
   VpuSettings settings;
-  std::vector<std::int64_t> registers;  ///< golden::kRegisterCount values, in register order
+  std::vector<std::int64_t> registers;  ///< all that `config` has, in register order
 };
 
 /// The plane holds all of `seen`, casters and receivers. Fails where the settings make no legal hardware (the
@@ -62,10 +54,13 @@ golden::VoxelItem voxel_item(const voxel::Voxel& voxel, const golden::HardwareCo
 std::vector<golden::VoxelItem> voxel_items(const voxel::VoxelSet& voxels,
                                            const golden::HardwareConfig& config);
 
-/// Registers, clear, project `seen.casters`, resolve `seen.receivers`. The writer's hardware may have a
-/// larger plane than the plan. `two_sided[object]` marks open surfaces.
-void write_vpu(golden::StreamWriter& writer, const VpuPlan& plan, const voxel::VoxelSet& voxels,
-               const ViewVoxels& seen, const std::vector<bool>& two_sided);
+/// The plan's registers; on hardware that has more, the others are set to 0.
+void write_registers(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                     const VpuPlan& plan);
+/// Registers, clear, project `seen.casters`, resolve `seen.receivers`. `hardware` is the writer's; it may
+/// have a larger plane than the plan. `two_sided[object]` marks open surfaces.
+void write_vpu(golden::StreamWriter& writer, const golden::HardwareConfig& hardware, const VpuPlan& plan,
+               const voxel::VoxelSet& voxels, const ViewVoxels& seen, const std::vector<bool>& two_sided);
 /// The same for all voxels, as a stream of its own, and a fence.
 std::vector<golden::Word> vpu_stream(const VpuPlan& plan, const voxel::VoxelSet& voxels,
                                      const std::vector<bool>& two_sided);

@@ -26,9 +26,16 @@ void in_parts(std::span<const std::uint32_t> numbers, const VpuPlan& plan, const
 
 }  // namespace
 
-void write_vpu(golden::StreamWriter& writer, const VpuPlan& plan, const voxel::VoxelSet& voxels,
-               const ViewVoxels& seen, const std::vector<bool>& two_sided) {
-  writer.set_registers(golden::Register::MatrixUx, plan.registers);
+void write_registers(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
+                     const VpuPlan& plan) {
+  std::vector<std::int64_t> registers = plan.registers;
+  registers.resize(static_cast<std::size_t>(golden::register_count(hardware)), 0);
+  writer.set_registers(golden::Register::MatrixUx, registers);
+}
+
+void write_vpu(golden::StreamWriter& writer, const golden::HardwareConfig& hardware, const VpuPlan& plan,
+               const voxel::VoxelSet& voxels, const ViewVoxels& seen, const std::vector<bool>& two_sided) {
+  write_registers(writer, hardware, plan);
   writer.clear_plane();
   in_parts(seen.casters, plan, voxels, [&](const auto& items) { writer.project(items); });
   for_each_object(seen.receivers, voxels, [&](std::span<const std::uint32_t> numbers, std::uint32_t object) {
@@ -39,7 +46,7 @@ void write_vpu(golden::StreamWriter& writer, const VpuPlan& plan, const voxel::V
 std::vector<golden::Word> vpu_stream(const VpuPlan& plan, const voxel::VoxelSet& voxels,
                                      const std::vector<bool>& two_sided) {
   golden::StreamWriter writer(plan.config);
-  write_vpu(writer, plan, voxels, all_voxels(voxels), two_sided);
+  write_vpu(writer, plan.config, plan, voxels, all_voxels(voxels), two_sided);
   writer.fence(0, true);
   return writer.take();
 }

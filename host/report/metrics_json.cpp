@@ -6,31 +6,11 @@
 #include <gnomon/golden/formats.hpp>
 #include <numeric>
 
+#include "host/report/metrics_parts.hpp"
 #include "host/report/numbers.hpp"
 
 namespace gnomon::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// part / whole, null where there is no whole: JSON knows no NaN.
-Json ratio(double part, double whole) {
-  return whole > 0 ? Json(part / whole) : Json(nullptr);
-}
-Json ratio(std::uint64_t part, std::uint64_t whole) {
-  return ratio(static_cast<double>(part), static_cast<double>(whole));
-}
-
-Json vector_json(const Vec3& v) {
-  return Json::array({v.x, v.y, v.z});
-}
-
-Json light_json(const Light& light) {
-  if (const auto* directional = std::get_if<DirectionalLight>(&light)) {
-    return {{"type", "directional"}, {"direction", vector_json(directional->direction)}};
-  }
-  return {{"type", "point"}, {"position", vector_json(std::get<PointLight>(light).position)}};
-}
 
 Json parameters_json(const RunRecord& record) {
   Json all = Json::object();
@@ -45,6 +25,7 @@ Json hardware_json(const golden::HardwareConfig& c) {
                {"NORMAL_BITS", c.normal_bits},     {"MATRIX_FRAC_BITS", c.matrix_frac_bits},
                {"DEPTH_BITS", c.depth_bits},       {"PLANE_LOG2", c.plane_log2},
                {"EN_VPU_OFFSET", c.en_vpu_offset}, {"EN_SLB", c.en_slb}};
+    json["EN_PERSPECTIVE"] = c.en_perspective;
   json["EN_VPU_TOPOLOGY"] = c.en_vpu_topology;
   if (c.en_vpu_topology) {
     json["SUB_BITS"] = c.sub_bits;
@@ -117,20 +98,19 @@ Json objects_json(const RunRecord& record) {
     all.push_back({{"name", object.name},
                    {"ground", object.ground},
                    {"two_sided", object.two_sided},
+                   {"casts", object.casts},
+                   {"receives", object.receives},
                    {"cage", statistics_json(object.statistics)}});
   }
   return all;
 }
 
-std::uint64_t event(const RunRecord& record, const std::string& name) {
-  const auto found = record.events.find(name);
-  return found == record.events.end() ? 0 : found->second;
-}
-
 Json voxels_json(const RunRecord& record) {
   const voxel::VoxelStatistics& s = record.voxel_statistics;
-  const std::uint64_t uncertain = event(record, "RESOLVED_UNCERTAIN");
+  const std::uint64_t uncertain = event(record.events, "RESOLVED_UNCERTAIN");
   const std::uint64_t shadow = record.voxels_in_shadow;
+  const std::uint64_t answers = record.voxels * record.lights.size();
+  const std::uint64_t resolved = event(record.events, "VOXELS_RESOLVED");
   return {{"count", record.voxels},
           {"subpatches", s.subpatches},
           {"evaluations", s.evaluations},
@@ -140,83 +120,15 @@ Json voxels_json(const RunRecord& record) {
           {"seconds", s.seconds},
           {"mvoxels_per_second", ratio(static_cast<double>(record.voxels) * 1e-6, s.seconds)},
           {"shadow", shadow},
-          {"shadow_share", ratio(shadow, record.voxels)},
-          {"facing_away", event(record, "RESOLVED_FACING_AWAY")},
+          {"shadow_share", ratio(shadow, answers)},
+          {"facing_away", event(record.events, "RESOLVED_FACING_AWAY")},
           {"uncertain", uncertain},
-          {"uncertain_share", ratio(uncertain, record.voxels)},
-          {"offset_empty", event(record, "RESOLVED_OFFSET_EMPTY")}};
-}
-
-std::uint64_t entries_of(const RunRecord& record) {
-  return record.plane ? std::uint64_t{record.plane->side} * record.plane->side : 0;
-}
-
-Json plane_json(const RunRecord& record) {
-  if (!record.plane) return nullptr;
-  const std::uint64_t entries = entries_of(record);
-  const std::uint64_t landed = event(record, "VOXELS_PROJECTED") - event(record, "PROJECT_OFF_PLANE");
-  return {{"side", record.plane->side},
-          {"pitch", record.plane->pitch},
-          {"entries", entries},
-          {"entries_hit", record.plane->entries_hit},
-          {"share_hit", ratio(record.plane->entries_hit, entries)},
-          {"voxels_per_entry_hit", ratio(landed, record.plane->entries_hit)},
-          {"off_plane", event(record, "PROJECT_OFF_PLANE")},
-          {"saturated", event(record, "PROJECT_SATURATED")}};
-}
-
-std::uint64_t topology_bits(const TopologyRecord& t) {
-  return std::uint64_t{t.side} * t.side * t.head_bits + t.node_bits + t.record_bits;
-}
-
-Json topology_json(const RunRecord& record) {
-  if (!record.topology) return nullptr;
-  const TopologyRecord& t = *record.topology;
-  const std::uint64_t uncertain = event(record, "TOPOLOGY_UNCERTAIN");
-  const std::uint64_t linked = event(record, "NODES_LINKED");
-  return {{"side", t.side},
-          {"pitch", t.pitch},
-          {"entries", std::uint64_t{t.side} * t.side},
-          {"lists", t.lists},
-          {"longest_list", t.longest},
-          {"mean_list", ratio(linked, t.lists)},
-          {"quads", event(record, "QUADS_PUT")},
-          {"nodes", linked},
-          {"nodes_dropped", event(record, "NODES_DROPPED")},
-          {"uncertain", uncertain},
-          {"uncertain_share", ratio(uncertain, event(record, "TOPOLOGY_RESOLVED"))},
-          {"facing_away", event(record, "TOPOLOGY_FACING_AWAY")},
-          {"hits", event(record, "TOPOLOGY_HIT")},
-          {"fallbacks", event(record, "TOPOLOGY_FALLBACK")},
-          {"nodes_visited_per_uncertain", ratio(event(record, "NODES_VISITED"), uncertain)},
-          {"quads_tested_per_uncertain", ratio(event(record, "QUADS_TESTED"), uncertain)}};
-}
-
-Json slb_json(const RunRecord& record) {
-  if (!record.slb) return nullptr;
-  const SlbRecord& s = *record.slb;
-  const std::uint64_t pixels = std::uint64_t{s.side} * s.side;
-  const std::uint64_t overflowed = event(record, "SLB_QUERIES_OVERFLOW");
-  return {{"side", s.side},
-          {"pitch", s.pitch},
-          {"pixels", pixels},
-          {"pixels_by_fragments", s.pixels_by_fragments},
-          {"full_pixels", s.full_pixels},
-          {"overflow_pixels", s.overflow_pixels},
-          {"loops", event(record, "SLB_LOOPS")},
-          {"vertices", event(record, "SLB_VERTICES")},
-          {"crossings", event(record, "SLB_CROSSINGS")},
-          {"chains_reduced", event(record, "SLB_CHAINS_REDUCED")},
-          {"chains_dropped", event(record, "SLB_CHAINS_DROPPED")},
-          {"groups_evicted", event(record, "SLB_GROUPS_EVICTED")},
-          {"queries", event(record, "SLB_QUERIES")},
-          {"queries_off_plane", event(record, "SLB_QUERIES_OFF_PLANE")},
-          {"queries_overflow", overflowed},
-          {"queries_overflow_share", ratio(overflowed, event(record, "SLB_QUERIES"))}};
+          {"uncertain_share", ratio(uncertain, resolved > 0 ? resolved : answers)},
+          {"offset_empty", event(record.events, "RESOLVED_OFFSET_EMPTY")}};
 }
 
 Json memory_json(const RunRecord& record) {
-  const std::uint64_t entries = entries_of(record);
+  const std::uint64_t entries = record.plane ? std::uint64_t{record.plane->side} * record.plane->side : 0;
   const SlbRecord slb = record.slb.value_or(SlbRecord{});
   const std::uint64_t pixels = std::uint64_t{slb.side} * slb.side;
   const std::uint64_t lists = record.topology ? topology_bits(*record.topology) : 0;
@@ -246,64 +158,12 @@ Json compare_json(const CompareRecord& compare) {
           {"text", compare.text}};
 }
 
-Json counts_json(const MislabelCounts& counts) {
-  const std::uint64_t wrong = counts.false_shadow + counts.false_lit;
-  return {{"samples", counts.samples},
-          {"mislabelled", wrong},
-          {"share", ratio(wrong, counts.samples)},
-          {"false_shadow", counts.false_shadow},
-          {"false_lit", counts.false_lit}};
-}
-
-Json part_json(const ErrorPart& part) {
-  Json boundary = nullptr;
-  if (part.boundary_displacement) boundary = *part.boundary_displacement;
-  return {{"all", counts_json(part.all)},
-          {"unambiguous", counts_json(part.unambiguous)},
-          {"samples", counts_json(part.samples)},
-          {"boundary_length", part.boundary_length},
-          {"boundary_displacement", boundary}};
-}
-
-Json error_json(const ErrorRecord& error) {
-  Json json = part_json(error.total);
-  json["ground"] = part_json(error.ground);
-  json["models"] = part_json(error.models);
-  return json;
-}
-
-Json exact_json(const ExactRecord& exact) {
-  return {{"triangles", exact.triangles}, {"sag", exact.sag}, {"lift", exact.lift}, {"rays", exact.rays}};
-}
-
 Json picture_json(const PictureRecord& picture) {
   return {{"width", picture.width},
           {"height", picture.height},
           {"mask", counts_json(picture.mask)},
           {"intersection_over_union", picture.intersection_over_union},
           {"rmse", picture.rmse}};
-}
-
-Json errors_json(const ErrorsRecord& errors) {
-  Json json = {{"pitch", errors.pitch},
-               {"fixed", error_json(errors.fixed)},
-               {"double", nullptr},
-               {"quantisation", nullptr},
-               {"shadow_maps", Json::array()}};
-  for (const ShadowMapRecord& map : errors.shadow_maps) {
-    Json row = {{"side", map.side}, {"memory_bits", map.memory_bits}};
-    row.update(error_json(map.error));
-    json["shadow_maps"].push_back(row);
-  }
-  if (!errors.in_double) return json;
-  const DoubleRecord& d = *errors.in_double;
-  json["double"] = error_json(d.error);
-  json["quantisation"] = {
-      {"differing", d.differing},
-      {"share", ratio(d.differing, errors.fixed.total.all.samples)},
-      {"unambiguous_differing", d.differing_unambiguous},
-      {"unambiguous_share", ratio(d.differing_unambiguous, errors.fixed.total.unambiguous.samples)}};
-  return json;
 }
 
 std::uint64_t total(const PassCycles& pass) {
@@ -329,15 +189,18 @@ Json cycles_json(const RunRecord& record) {
     const std::uint64_t cycles = total(pass);
     sum += cycles;
     passes[pass.pass] = {{"total", cycles}, {"causes", pass.causes}};
-    if (pass.pass == "PROJECT") per_voxel["project"] = ratio(cycles, event(record, "VOXELS_PROJECTED"));
     if (pass.pass == "PROJECT")
-      rates_of_lists["cycles_per_node"] = ratio(cycles, event(record, "NODES_LINKED"));
+      per_voxel["project"] = ratio(cycles, event(record.events, "VOXELS_PROJECTED"));
+    if (pass.pass == "PROJECT")
+      rates_of_lists["cycles_per_node"] = ratio(cycles, event(record.events, "NODES_LINKED"));
     if (pass.pass == "RESOLVE")
-      rates_of_lists["cycles_per_node_visited"] = ratio(cycles, event(record, "NODES_VISITED"));
-    if (pass.pass == "RESOLVE") per_voxel["resolve"] = ratio(cycles, event(record, "VOXELS_RESOLVED"));
-    if (pass.pass == "DRAW") rates["cycles_per_crossing"] = ratio(cycles, event(record, "SLB_CROSSINGS"));
-    if (pass.pass == "QUERY") rates["cycles_per_query"] = ratio(cycles, event(record, "SLB_QUERIES"));
-    if (pass.pass == "FILL") rates["fill_pixels_per_cycle"] = ratio(event(record, "SLB_FILL_PIXELS"), cycles);
+      rates_of_lists["cycles_per_node_visited"] = ratio(cycles, event(record.events, "NODES_VISITED"));
+    if (pass.pass == "RESOLVE") per_voxel["resolve"] = ratio(cycles, event(record.events, "VOXELS_RESOLVED"));
+    if (pass.pass == "DRAW")
+      rates["cycles_per_crossing"] = ratio(cycles, event(record.events, "SLB_CROSSINGS"));
+    if (pass.pass == "QUERY") rates["cycles_per_query"] = ratio(cycles, event(record.events, "SLB_QUERIES"));
+    if (pass.pass == "FILL")
+      rates["fill_pixels_per_cycle"] = ratio(event(record.events, "SLB_FILL_PIXELS"), cycles);
   }
   return {{"total", sum},
           {"by_pass", passes},
@@ -391,8 +254,6 @@ std::string verdict(const CompareRecord& compare) {
 
 Json metrics_json(const RunRecord& record) {
   const Json cycles = cycles_json(record);
-  Json lights = Json::array();
-  for (const Light& light : record.lights) lights.push_back(light_json(light));
   Json versions = Json::object();
   for (const auto& [tool, version] : record.versions) versions[tool] = version;
   return {{"schema", kMetricsSchema},
@@ -402,13 +263,14 @@ Json metrics_json(const RunRecord& record) {
           {"versions", versions},
           {"engine", record.engine},
           {"technique", record.technique},
+          {"techniques", Json::array()},
           {"seed", record.seed},
           {"parameters", parameters_json(record)},
           {"hardware", hardware_json(record.hardware)},
           {"formats", formats_json(record.hardware)},
           {"registers", registers_json(record)},
           {"grid", grid_json(record.grid)},
-          {"lights", lights},
+          {"lights", lights_json(record)},
           {"objects", objects_json(record)},
           {"warnings", record.warnings},
           {"compare", compare_json(record.compare)},
@@ -418,12 +280,27 @@ Json metrics_json(const RunRecord& record) {
           {"cycles", cycles},
           {"run_time", run_time_json(record, cycles)},
           {"memory", memory_json(record)},
-          {"plane", plane_json(record)},
-          {"topology", topology_json(record)},
-          {"slb", slb_json(record)},
+          {"plane", plane_json(record.plane, record.events)},
+          {"topology", topology_json(record.topology, record.events)},
+          {"slb", slb_json(record.slb, record.events)},
           {"voxels", voxels_json(record)},
           {"events", record.events},
           {"stages", stages_json(record)}};
+}
+
+Json metrics_json(std::span<const RunRecord> records) {
+  Json all = metrics_json(records.front());
+  if (records.size() < 2) return all;
+  for (const RunRecord& record : records) {
+    const Json one = metrics_json(record);
+    Json row = Json::object();
+    for (const char* key :
+         {"technique", "hardware", "registers", "lights", "compare", "errors", "picture", "cycles",
+          "run_time", "memory", "plane", "topology", "slb", "voxels", "events", "stages"})
+      row[key] = one.at(key);
+    all["techniques"].push_back(std::move(row));
+  }
+  return all;
 }
 
 }  // namespace gnomon::report

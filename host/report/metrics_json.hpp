@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 
 #include "host/report/run_record.hpp"
@@ -21,5 +22,8 @@ inline constexpr std::string_view kExactStage = "exact reference";
 inline constexpr std::string_view kShadowMapStage = "shadow maps";
 
 nlohmann::ordered_json metrics_json(const RunRecord& record);
+/// Of several techniques over one scene, at least one: the first one's figures, and in `techniques` those of
+/// each.
+nlohmann::ordered_json metrics_json(std::span<const RunRecord> records);
 
 }  // namespace gnomon::report

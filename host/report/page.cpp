@@ -2,6 +2,8 @@
 // report.html: the template filled in.
 #include "host/report/page.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <kainjow/mustache.hpp>
@@ -41,16 +43,25 @@ mustache::data to_mustache(const Json& json) {
 }  // namespace
 
 std::string report_page(const Json& metrics, const Pictures& pictures) {
+  const TechniquePictures& leading = pictures.techniques.at(0);
   Json view = {{"style", page_css()},
                {"script", page_js()},
-               {"image", data_uri(pictures.image)},
+               {"image", data_uri(leading.image)},
                {"reference", data_uri(pictures.reference)},
-               {"error", data_uri(pictures.error)},
+               {"error", data_uri(leading.error)},
                {"memory", false}};
-  if (!pictures.memory.empty()) view["memory"] = {{"picture", data_uri(pictures.memory)}};
-  for (const Json& section :
-       {summary_section(metrics), error_section(metrics), cycle_section(metrics), stage_section(metrics),
-        configuration_section(metrics), model_section(metrics)}) {
+  if (!leading.memory.empty()) view["memory"] = {{"picture", data_uri(leading.memory)}};
+  view["others"] = Json::array();
+  for (std::size_t i = 1; i < pictures.techniques.size(); ++i) {
+    const TechniquePictures& other = pictures.techniques[i];
+    view["others"].push_back({{"technique", other.technique},
+                              {"id", fmt::format("picture-{}", i)},
+                              {"image", data_uri(other.image)},
+                              {"error", data_uri(other.error)}});
+  }
+  for (const Json& section : {summary_section(metrics), error_section(metrics), cycle_section(metrics),
+                              stage_section(metrics), configuration_section(metrics), model_section(metrics),
+                              technique_section(metrics), light_section(metrics)}) {
     view.update(section);
   }
   mustache::mustache page{std::string(page_html())};

@@ -14,5 +14,7 @@ Json cycle_section(const Json& metrics);          ///< cycles by pass and cause
 Json stage_section(const Json& metrics);          ///< times of the host's stages
 Json configuration_section(const Json& metrics);  ///< parameters, hardware, formats, registers, versions
 Json model_section(const Json& metrics);          ///< objects, warnings, voxels, plane
+Json technique_section(const Json& metrics);      ///< several techniques side by side
+Json light_section(const Json& metrics);          ///< several lights, or a light of several views, one by one
 
 }  // namespace gnomon::report

@@ -111,17 +111,27 @@ Json key_figures(const Json& m) {
   return tiles;
 }
 
-std::string light_text(const Json& light) {
-  const bool directional = light.at("type") == "directional";
-  const Json& v = light.at(directional ? "direction" : "position");
-  return fmt::format("{} ({:.4g}, {:.4g}, {:.4g})", directional ? "directional, travelling" : "point at",
-                     v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>());
+/// Of several techniques: the first comparison that failed, and what each came to.
+Json joint_verdict(const Json& m) {
+  const Json& techniques = m.at("techniques");
+  if (techniques.empty()) return verdict_view(m.at("compare"));
+  const Json* shown = &m.at("compare");
+  std::string text;
+  for (const Json& t : techniques) {
+    if (!shown->at("failed").get<bool>() && t.at("compare").at("failed").get<bool>())
+      shown = &t.at("compare");
+    text +=
+        (text.empty() ? "" : " · ") + plain(t.at("technique")) + ": " + plain(t.at("compare").at("verdict"));
+  }
+  Json view = verdict_view(*shown);
+  view["verdict"] = text;
+  return view;
 }
 
 }  // namespace
 
 Json summary_section(const Json& m) {
-  Json view = verdict_view(m.at("compare"));
+  Json view = joint_verdict(m);
   view["shadow_source"] =
       m.at("slb").is_null() ? "the voxel states" : "the silhouette-line buffer, asked at every sample";
   view["title"] = m.at("scene").at("name");

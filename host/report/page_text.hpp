@@ -20,6 +20,8 @@ std::string plain(const Json& value);  ///< a parameter's value, strings without
 std::string wall_text(const Json& metrics, std::string_view stage);
 /// The configuration that every error figure stands next to, in one line.
 std::string configuration_line(const Json& metrics);
+/// What a light is, in a few words.
+std::string light_text(const Json& light);
 /// A line of a list of names and values.
 Json row(std::string name, std::string value);
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "host/base/light.hpp"
 #include "host/scene/mesh_topology.hpp"
 #include "host/voxel/voxel_set.hpp"
 
@@ -26,19 +26,12 @@ struct ParameterValue {
   std::string help;    ///< one line
 };
 
-struct DirectionalLight {
-  Vec3 direction;  ///< the way the light travels, world coordinates, unit length
-};
-struct PointLight {
-  Vec3 position;  ///< world coordinates
-};
-using Light = std::variant<DirectionalLight, PointLight>;
-
 /// One object of the scene: its control cage and what became of it.
 struct ObjectRecord {
   std::string name;
   bool ground = false;     ///< a receiver added or marked as the ground
   bool two_sided = false;  ///< open surface: resolved with both sides facing
+  bool casts = true, receives = true;
   scene::MeshStatistics statistics;
 };
 
@@ -132,14 +125,15 @@ struct StageTime {
 /// An entry as mem/ stores it: {generation 8, depth 24} (docs/vpu.md).
 inline constexpr std::uint64_t kPlaneEntryBits = 32;
 
-/// How the plane was used, after the projection pass.
+/// How the plane was used, after the projection pass; of several views together: after that of each.
 struct PlaneRecord {
   std::uint32_t side = 0;  ///< entries
   std::uint64_t entries_hit = 0;
   double pitch = 1;  ///< voxels per entry
+  std::uint32_t views = 1;
 };
 
-/// How topology mode's lists were used.
+/// How topology mode's lists were used; of several views together.
 struct TopologyRecord {
   std::uint32_t side = 0;                        ///< entries
   double pitch = 1;                              ///< voxels per entry
@@ -147,9 +141,10 @@ struct TopologyRecord {
   std::uint32_t longest = 0;                     ///< nodes
   std::uint64_t head_bits = 0;                   ///< of each entry
   std::uint64_t node_bits = 0, record_bits = 0;  ///< of the whole pools
+  std::uint32_t views = 1;
 };
 
-/// How the silhouette-line buffer's plane was used.
+/// How the silhouette-line buffer's plane was used; of several views together.
 struct SlbRecord {
   std::uint32_t side = 0;                      ///< pixels
   double pitch = 1;                            ///< voxels per pixel
@@ -158,6 +153,7 @@ struct SlbRecord {
   std::array<std::uint64_t, 5> pixels_by_fragments{};  ///< entries with 0..4 fragments; all 0 if not read
   std::uint64_t full_pixels = 0;                       ///< entries with a full depth
   std::uint64_t overflow_pixels = 0;                   ///< entries where something did not fit
+  std::uint32_t views = 1;
 };
 
 /// A register as it was programmed.
@@ -167,6 +163,28 @@ struct RegisterRecord {
   int width = 0;  ///< bits, sign included
   bool is_signed = false;
   int frac_bits = 0;
+};
+
+/// One view of a light: what the hardware did for it.
+struct ViewRecord {
+  std::string name;                             ///< "directional", "spot", "+x" ...
+  std::uint64_t casters = 0, receivers = 0;     ///< voxels
+  std::map<std::string, std::uint64_t> events;  ///< event counters, this view's share
+  std::vector<RegisterRecord> registers;
+  std::optional<PlaneRecord> plane;  ///< as in RunRecord; `side` is what this view makes use of
+  std::optional<TopologyRecord> topology;
+  std::optional<SlbRecord> slb;
+};
+
+/// One light: what came out for it alone.
+struct LightRecord {
+  Light light;                    ///< world coordinates
+  std::uint64_t in_shadow = 0;    ///< voxels
+  std::uint64_t not_reached = 0;  ///< of these, receivers outside the cone
+  ErrorsRecord errors;
+  ExactRecord exact;
+  MislabelCounts mask;  ///< picture samples that see a surface
+  std::vector<ViewRecord> views;
 };
 
 struct RunRecord {
@@ -182,11 +200,11 @@ struct RunRecord {
   double clock_mhz = 100;
 
   voxel::Grid grid;
-  std::vector<Light> lights;
+  std::vector<LightRecord> lights;
   std::vector<ObjectRecord> objects;
   std::vector<std::string> warnings;  ///< what reading the models ignored or repaired
   voxel::VoxelStatistics voxel_statistics;
-  std::uint64_t voxels = 0, voxels_in_shadow = 0;
+  std::uint64_t voxels = 0, voxels_in_shadow = 0;  ///< in shadow: summed over the lights
 
   golden::HardwareConfig hardware;
   std::vector<RegisterRecord> registers;
@@ -195,6 +213,8 @@ struct RunRecord {
   std::optional<TopologyRecord> topology;
   std::optional<SlbRecord> slb;
 
+  // `plane`, `topology`, `slb`, `registers`, `errors` and `exact` are of all lights together, `registers` of
+  // the first view.
   CompareRecord compare;
   std::map<std::string, std::uint64_t> events;  ///< event counters of docs/command-stream.md
   std::vector<PassCycles> cycles;               ///< empty where the engine has no cycles

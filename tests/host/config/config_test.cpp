@@ -107,6 +107,17 @@ TEST(Find, NamesTheNearestKey) {
   EXPECT_THAT(refusal("technique", "ray-tracing"), HasSubstr("not in this build"));
 }
 
+TEST(Parse, AListHoldsEachWordOnce) {
+  EXPECT_EQ(split("a,b,"), (std::vector<std::string_view>{"a", "b", ""}));
+  EXPECT_THAT(refusal("technique", "slb,ray-tracing"), HasSubstr("technique=ray-tracing is unknown"));
+  EXPECT_THAT(refusal("technique", "slb,"), HasSubstr("technique= is unknown"));
+  EXPECT_THAT(refusal("technique", "slb,slb"), HasSubstr("names slb twice"));
+  const std::vector<std::vector<Assignment>> sources{{{"technique", "slb,voxel-offset", "command line"}}};
+  const auto settings = Settings::resolve(sources);
+  ASSERT_TRUE(settings);
+  EXPECT_EQ(settings->words("technique"), (std::vector<std::string>{"slb", "voxel-offset"}));
+}
+
 TEST(Settings, StrongerSourcesWin) {
   const std::vector<Assignment> file{
       {"res", "64", "s.toml:1"}, {"pitch", "2", "s.toml:2"}, {"margin", "1", "s.toml:3"}};

@@ -21,7 +21,8 @@ voxel::Voxel voxel_at(std::uint16_t x, std::uint16_t y, std::uint16_t z) {
 TEST(Npy, IsAnArrayOfInt32) {
   voxel::VoxelSet voxels;
   voxels.voxels = {voxel_at(7, 1, 300), voxel_at(2, 9, 4)};
-  const std::vector<golden::VoxelState> states{golden::VoxelState::Shadow, golden::VoxelState::Lit};
+  const std::vector<std::vector<golden::VoxelState>> states{
+      {golden::VoxelState::Shadow, golden::VoxelState::Lit}};
   const std::string bytes = voxels_npy(voxels, states);
 
   EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
@@ -36,8 +37,22 @@ TEST(Npy, IsAnArrayOfInt32) {
   EXPECT_THAT(rows, testing::ElementsAre(2, 9, 4, 1, 7, 1, 300, 2));
 }
 
+TEST(Npy, SeveralLightsAreColumns) {
+  voxel::VoxelSet voxels;
+  voxels.voxels = {voxel_at(7, 1, 300), voxel_at(2, 9, 4)};
+  const std::vector<std::vector<golden::VoxelState>> states{
+      {golden::VoxelState::Shadow, golden::VoxelState::Lit},
+      {golden::VoxelState::Shadow, golden::VoxelState::Shadow}};
+  const std::string bytes = voxels_npy(voxels, states);
+  EXPECT_THAT(bytes, testing::HasSubstr("'shape': (2, 5)"));
+  std::array<std::int32_t, 10> rows{};
+  std::memcpy(rows.data(), bytes.data() + bytes.size() - sizeof(rows), sizeof(rows));
+  EXPECT_THAT(rows, testing::ElementsAre(2, 9, 4, 1, 2, 7, 1, 300, 2, 2));
+}
+
 TEST(Npy, OneStateAVoxel) {
-  EXPECT_THROW(voxels_npy({}, std::vector{golden::VoxelState::Lit}), std::invalid_argument);
+  const std::vector<std::vector<golden::VoxelState>> states{{golden::VoxelState::Lit}};
+  EXPECT_THROW(voxels_npy({}, states), std::invalid_argument);
 }
 
 }  // namespace

@@ -27,12 +27,18 @@ TEST_F(RunTest, AnInterruptionLeavesNothing) {
 }
 
 TEST_F(RunTest, WhatCannotBeRunIsRefused) {
-  RunRequest two_lights = request();
-  two_lights.scene.lights.push_back(two_lights.scene.lights.front());
-  EXPECT_THAT(run(two_lights).error().message, HasSubstr("2 lights"));
+  RunRequest dark = request();
+  dark.scene.lights.clear();
+  EXPECT_THAT(run(dark).error().message, HasSubstr("has no lights"));
+
+  RunRequest spot = request();
+  spot.scene.lights.push_back(SpotLight{{0, 9, 0}, {0, -1, 0}, 20});
+  spot.settings.techniques = {"voxel-offset", "slb"};
+  EXPECT_THAT(run(spot).error().message,
+              HasSubstr("light 2 is a spot light, technique=slb takes directional lights only"));
 
   RunRequest unknown = request();
-  unknown.settings.technique = "magic";
+  unknown.settings.techniques = {"magic"};
   EXPECT_THAT(run(unknown).error().message, HasSubstr("technique=magic"));
 
   RunRequest narrow = request();

@@ -12,7 +12,7 @@ class SlbRunTest : public RunTest {
  protected:
   RunRequest slb(const char* technique) const {
     RunRequest wanted = request();
-    wanted.settings.technique = technique;
+    wanted.settings.techniques = {technique};
     wanted.settings.slb.plane_log2 = 5;
     return wanted;
   }

@@ -8,7 +8,7 @@ namespace gnomon::pipeline {
 namespace {
 
 RunRequest in_topology_mode(RunRequest request) {
-  request.settings.technique = "voxel-topology";
+  request.settings.techniques = {"voxel-topology"};
   request.settings.res = 48;
   return request;
 }

@@ -121,7 +121,7 @@ Kept kept_topology() {
   writer.clear_frame();
   for (std::uint32_t light = 0; light < std::size(kLights); ++light) {
     writer.keep(golden::Keeping{.layer = light});
-    write_topology(writer, plan(kLights[light]), scene().voxels, scene().all, kTwoSided);
+    write_topology(writer, config, plan(kLights[light]), scene().voxels, scene().all, kTwoSided);
   }
   writer.fence(0, false);
   Kept kept{config, Machine(config), {}};
@@ -163,7 +163,7 @@ TEST(FrameLookup, OffsetStatesAreThoseWithoutIt) {
   StreamWriter writer(config);
   writer.clear_frame();
   writer.keep(golden::Keeping{});
-  write_vpu(writer, plan, scene().voxels, all_voxels(scene().voxels), kTwoSided);
+  write_vpu(writer, config, plan, scene().voxels, all_voxels(scene().voxels), kTwoSided);
   lookup.write(writer, 0);
   Machine machine(config);
   const Outcome run = machine.run(writer.take());

@@ -24,7 +24,7 @@ class SlbPlanTest : public testing::Test {
         voxels_(fixtures::voxels(surfaces_, 64)) {}
 
   SlbPlan plan(const Vec3& light, const SlbSettings& settings = {}) const {
-    auto made = plan_slb(voxels_, surfaces_.size(), light, settings);
+    auto made = plan_slb(voxels_, {true, true}, light, settings);
     if (!made) throw std::runtime_error(made.error().message);
     return *made;
   }
@@ -46,11 +46,13 @@ class SlbPlanTest : public testing::Test {
 TEST_F(SlbPlanTest, AFlatGroundCastsNothingUnlessTheLightComesFromBelow) {
   EXPECT_THAT(plan({0.3, 0.1, -1}).casts, testing::ElementsAre(true, false));
   EXPECT_THAT(plan({0.3, 0.1, 1}).casts, testing::ElementsAre(true, true));
+  const auto told = plan_slb(voxels_, {true, false}, {0.3, 0.1, 1}, {});
+  EXPECT_THAT(told->casts, testing::ElementsAre(true, false)) << "an object may be told not to";
   const auto flat = fixtures::surfaces({fixtures::sheet(3, 3, 61, 61, 6.5, 4, 4)});
-  const auto alone = plan_slb(fixtures::voxels(flat, 64), 1, {0, 0, -1}, {});
+  const auto alone = plan_slb(fixtures::voxels(flat, 64), {true}, {0, 0, -1}, {});
   ASSERT_FALSE(alone);
   EXPECT_THAT(alone.error().message, HasSubstr("nothing in the scene can cast a shadow"));
-  EXPECT_FALSE(plan_slb(voxels_, 2, {0, 0, 0}, {}));
+  EXPECT_FALSE(plan_slb(voxels_, {true, true}, {0, 0, 0}, {}));
 }
 
 TEST_F(SlbPlanTest, ThePlaneHoldsTheCastersAndIsFilled) {
@@ -88,7 +90,7 @@ TEST_F(SlbPlanTest, TheOutlinersFrameIsThePlane) {
 TEST_F(SlbPlanTest, IllegalHardwareIsRefusedByName) {
   SlbSettings settings;
   settings.frac_bits = 9;
-  const auto made = plan_slb(voxels_, 2, {0, 0, -1}, settings);
+  const auto made = plan_slb(voxels_, {true, true}, {0, 0, -1}, settings);
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message, HasSubstr("FRAC_BITS"));
 }

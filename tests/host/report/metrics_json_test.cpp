@@ -22,18 +22,44 @@ TEST(Metrics, HasTheKeysOfTheContract) {
   EXPECT_EQ(m["grid"]["origin"], ordered_json({-1.5, -1.0, -1.25}));
   EXPECT_EQ(m["grid"]["voxel_size"], 0.0234375);
   EXPECT_EQ(m["grid"]["adjacency"], 26);
-  EXPECT_EQ(m["lights"], ordered_json::parse(R"([{"type":"directional","direction":[0.0,-1.0,0.0]}])"));
+  ASSERT_EQ(m["lights"].size(), 1u);
+  EXPECT_EQ(m["lights"][0]["type"], "directional");
+  EXPECT_EQ(m["lights"][0]["direction"], ordered_json({0.0, -1.0, 0.0}));
   EXPECT_EQ(m["compare"]["words"], 217001);
   EXPECT_EQ(m["compare"]["differing"], 0);
   EXPECT_EQ(m["parameters"]["res"]["value"], 128);
   EXPECT_EQ(m["parameters"]["res"]["origin"], "command line");
 }
 
-TEST(Metrics, PointLightsHaveAPosition) {
-  RunRecord record = sample_record();
-  record.lights = {PointLight{Vec3(1, 2, 3)}};
-  EXPECT_EQ(metrics_json(record)["lights"],
-            ordered_json::parse(R"([{"type":"point","position":[1.0,2.0,3.0]}])"));
+TEST(Metrics, LightsHaveTheirPlaceTheirErrorsAndTheirViews) {
+  RunRecord record = lights_record();
+  record.lights.emplace_back().light = PointLight{Vec3(1, 2, 3)};
+  const ordered_json m = metrics_json(record);
+  ASSERT_EQ(m["lights"].size(), 3u);
+  const ordered_json& spot = m["lights"][1];
+  EXPECT_EQ(spot["type"], "spot");
+  EXPECT_EQ(spot["position"], ordered_json({0.0, 4.0, 1.0}));
+  EXPECT_EQ(spot["angle"], 40.0);
+  EXPECT_EQ(spot["not_reached"], 15000);
+  EXPECT_EQ(spot["errors"]["fixed"], m["errors"]["fixed"]);
+  ASSERT_EQ(spot["views"].size(), 1u);
+  EXPECT_DOUBLE_EQ(spot["views"][0]["plane"]["share_hit"], 4000.0 / (128 * 128));
+  EXPECT_DOUBLE_EQ(spot["views"][0]["plane"]["voxels_per_entry_hit"], 89000.0 / 4000);
+  EXPECT_DOUBLE_EQ(m["plane"]["share_hit"], 31000.0 / (2 * 65536));
+  EXPECT_DOUBLE_EQ(m["voxels"]["shadow_share"], 71000.0 / (3 * 217000));
+  EXPECT_EQ(m["lights"][2]["type"], "point");
+  EXPECT_EQ(m["lights"][2]["position"], ordered_json({1.0, 2.0, 3.0}));
+}
+
+TEST(Metrics, SeveralTechniquesStandSideBySide) {
+  EXPECT_TRUE(metrics_json(sample_record())["techniques"].empty());
+  const std::vector<RunRecord> records{sample_record(), topology_record()};
+  const ordered_json m = metrics_json(records);
+  ASSERT_EQ(m["techniques"].size(), 2u);
+  EXPECT_EQ(m["technique"], "voxel-offset");
+  EXPECT_EQ(m["techniques"][0]["errors"], m["errors"]);
+  EXPECT_EQ(m["techniques"][1]["technique"], "voxel-topology");
+  EXPECT_EQ(m["techniques"][1]["topology"], metrics_json(records[1])["topology"]);
 }
 
 TEST(Metrics, FiguresAddUp) {
@@ -132,6 +158,7 @@ TEST(Metrics, EveryKeyIsDocumented) {
   collect(metrics_json(failing_record()), keys);
   collect(metrics_json(slb_record()), keys);
   collect(metrics_json(topology_record()), keys);
+  collect(metrics_json(lights_record())["lights"][1], keys);
   ASSERT_GT(keys.size(), 100u);
   for (const std::string& key : keys) {
     const bool documented =

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string page_of(const RunRecord& record) {
-  return report_page(metrics_json(record), {"image", "reference!", "error bytes"});
+  return report_page(metrics_json(record), {"reference!", {{"", "image", "error bytes"}}});
 }
 
 /// What the page would load: targets of src, href and url(), besides links within the page.
@@ -65,7 +65,7 @@ TEST(Page, ATechniqueWithoutAFormInDoubleHasNoSuchLine) {
 
 TEST(Page, TheSilhouetteLineBufferIsShownBesideShadowMaps) {
   const std::string html =
-      report_page(metrics_json(slb_record()), {"image", "reference!", "error bytes", "lines"});
+      report_page(metrics_json(slb_record()), {"reference!", {{"", "image", "error bytes", "lines"}}});
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,bGluZXM="));
   EXPECT_THAT(html, HasSubstr("shadow map 256²"));
   EXPECT_THAT(html, HasSubstr("shadow map 32768²"));
@@ -80,6 +80,29 @@ TEST(Page, TopologyModeShowsItsLists) {
   EXPECT_THAT(html, HasSubstr("Lists of quads"));
   EXPECT_THAT(html, HasSubstr("9.00, 118"));
   EXPECT_THAT(html, HasSubstr("SUB_BITS 4"));
+}
+
+TEST(Page, LightsAndTheirViewsHaveTheirOwnTable) {
+  const std::string html = page_of(lights_record());
+  EXPECT_THAT(html, HasSubstr("spot at (0, 4, 1), shining (0, -1, 0), 40° wide"));
+  EXPECT_THAT(html, HasSubstr("15,000"));
+  EXPECT_THAT(html, HasSubstr("22.25")) << "voxels on an entry hit";
+  EXPECT_THAT(page_of(sample_record()), Not(HasSubstr("id=\"lights\"")));
+}
+
+TEST(Page, SeveralTechniquesStandSideBySide) {
+  std::vector<RunRecord> records{sample_record(), topology_record(), slb_record()};
+  const Pictures pictures{"reference",
+                          {{"voxel-offset", "a", "b"}, {"voxel-topology", "c", "d"}, {"slb", "e", "f"}}};
+  const std::string html = report_page(metrics_json(records), pictures);
+  EXPECT_THAT(html, HasSubstr("Techniques side by side"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"col\">voxel-offset</th><th scope=\"col\">voxel-topology</th>"));
+  EXPECT_THAT(html, HasSubstr("id=\"picture-2-error\""));
+  EXPECT_THAT(html, HasSubstr("class=\"verdict good\""));
+  records[1].compare.differing = 3;
+  EXPECT_THAT(report_page(metrics_json(records), pictures), HasSubstr("class=\"verdict bad\""))
+      << "a failure of any technique shows at the top";
+  EXPECT_THAT(page_of(sample_record()), Not(HasSubstr("side by side")));
 }
 
 TEST(Page, EverythingGivenIsEscaped) {

@@ -35,7 +35,7 @@ RunRecord sample_record() {
                   {"light", {0.45, -1, -0.4}, "", "default", "the way the light travels"}};
   r.clock_mhz = 125;
   r.grid = {128, Vec3(-1.5, -1, -1.25), 0.0234375, voxel::Adjacency::N26};
-  r.lights = {DirectionalLight{Vec3(0, -1, 0)}};
+  r.lights.emplace_back().light = DirectionalLight{Vec3(0, -1, 0)};
   scene::MeshStatistics cage;
   cage.vertices = 2930;
   cage.faces = 2928;
@@ -44,7 +44,7 @@ RunRecord sample_record() {
   cage.extraordinary_vertices = 60;
   cage.largest_valence = 8;
   cage.non_manifold_edges = 2;
-  r.objects = {{"gnomon", false, false, cage}, {"ground", true, true, {}}};
+  r.objects = {{"gnomon", false, false, true, true, cage}, {"ground", true, true, true, true, {}}};
   r.warnings = {"scenes/sundial.obj:12: vt and vn are not used"};
   r.voxel_statistics = {260000, 219000, 0, 3, 0.021};
   r.voxels = 217000;
@@ -112,6 +112,23 @@ RunRecord topology_record() {
   r.events = {{"QUADS_PUT", 90000},          {"NODES_LINKED", 360000},  {"TOPOLOGY_RESOLVED", 217000},
               {"TOPOLOGY_UNCERTAIN", 50000}, {"NODES_VISITED", 260000}, {"QUADS_TESTED", 250000}};
   r.cycles = {{"PROJECT", {{"BUSY", 540000}}}, {"RESOLVE", {{"BUSY", 260000}}}};
+  return r;
+}
+
+RunRecord lights_record() {
+  RunRecord r = sample_record();
+  LightRecord& sun = r.lights.front();
+  sun.in_shadow = 30000;
+  sun.errors = r.errors;
+  sun.views = {{"directional", 217000, 217000, {}, {}, r.plane, {}, {}}};
+  LightRecord& spot = r.lights.emplace_back();
+  spot.light = SpotLight{Vec3(0, 4, 1), Vec3(0, -1, 0), 20};
+  spot.in_shadow = 41000;
+  spot.not_reached = 15000;
+  spot.errors = r.errors;
+  const std::map<std::string, std::uint64_t> events{{"VOXELS_PROJECTED", 90000}, {"PROJECT_BEHIND", 1000}};
+  spot.views = {{"spot", 90000, 80000, events, {}, PlaneRecord{128, 4000, 1.5, 1}, {}, {}}};
+  r.plane->views = 2;
   return r;
 }
 
