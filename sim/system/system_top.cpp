@@ -9,10 +9,12 @@
 
 #include "firmware/driver/job_runner.h"
 #include "sim/registers/registers.hpp"
+#include "sim/system/event_log.hpp"
 #include "sim/system/modules/clock.hpp"
 #include "sim/system/modules/cpu_module.hpp"
 #include "sim/system/modules/dram_module.hpp"
 #include "sim/system/modules/hardware_module.hpp"
+#include "sim/system/modules/line_watch.hpp"
 #include "sim/system/modules/peripherals.hpp"
 #include "sim/system/modules/router.hpp"
 
@@ -76,6 +78,7 @@ struct System::Parts {
         EngineClock clock);
 
   void wire();
+  void log_line(const char* line, bool level) const;
   void set_up_mailbox();
   void on_firmware_write(std::uint32_t offset, std::uint32_t value);
   void take_results();
@@ -94,6 +97,8 @@ struct System::Parts {
   MailboxModule mailbox;
   TimerModule timer;
   sc_core::sc_signal<bool> external, software, timer_line;
+  LineWatch watch_external, watch_software, watch_timer;
+  std::function<void(const std::string&)> event_sink;
 
   FaultInjector injector;
   std::string log;
@@ -113,7 +118,10 @@ System::Parts::Parts(const SystemConfig& system_config, golden::Engine& engine,
       timer("timer"),
       external("external"),
       software("software"),
-      timer_line("timer_line") {
+      timer_line("timer_line"),
+      watch_external("watch_external", [this](bool level) { log_line("external", level); }),
+      watch_software("watch_software", [this](bool level) { log_line("software", level); }),
+      watch_timer("watch_timer", [this](bool level) { log_line("timer", level); }) {
   wire();
   set_up_mailbox();
   next_words = first_words();
@@ -136,11 +144,18 @@ void System::Parts::wire() {
   hardware.interrupt(external);
   mailbox.doorbell(software);
   timer.expired(timer_line);
+  watch_external.line(external);
+  watch_software.line(software);
+  watch_timer.line(timer_line);
   mailbox.on_write = [this](std::uint32_t offset, std::uint32_t value) { on_firmware_write(offset, value); };
   router.inject = [this](int initiator, const tlm::tlm_generic_payload& payload) {
     if (initiator != Router::kHardware || !injector) return response(Fault::None);
     return response(injector(payload.get_address(), payload.is_write()));
   };
+}
+
+void System::Parts::log_line(const char* line, bool level) const {
+  if (event_sink) event_sink(to_json(InterruptEvent{to_cycles(sc_core::sc_time_stamp()), line, level}));
 }
 
 void System::Parts::set_up_mailbox() {
@@ -237,6 +252,18 @@ std::vector<JobReport> System::run(std::span<const Job> jobs) {
 
 void System::set_fault_injector(FaultInjector injector) {
   parts_->injector = std::move(injector);
+}
+
+void System::set_event_log(std::function<void(const std::string& line)> sink) {
+  Parts& parts = *parts_;
+  parts.event_sink = std::move(sink);
+  if (!parts.event_sink) {
+    parts.router.observe = nullptr;
+    parts.hardware.observe = nullptr;
+    return;
+  }
+  parts.router.observe = [&parts](const TransactionEvent& event) { parts.event_sink(to_json(event)); };
+  parts.hardware.observe = [&parts](const DescriptorEvent& event) { parts.event_sink(to_json(event)); };
 }
 
 const std::string& System::log() const {

@@ -71,6 +71,9 @@ class System {
   std::vector<JobReport> run(std::span<const Job> jobs);
 
   void set_fault_injector(FaultInjector injector);
+  /// Gets every transaction, interrupt and descriptor as a line of JSON, as they are simulated: the processor
+  /// may be up to a quantum ahead. Nothing: off.
+  void set_event_log(std::function<void(const std::string& line)> sink);
   const std::string& log() const;
   SystemStatistics statistics() const;
 

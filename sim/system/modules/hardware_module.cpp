@@ -176,6 +176,12 @@ void HardwareModule::run_descriptor() {
   const std::uint64_t place =
       registers_.get_address(hw::kCommandBaseLowOffset) + std::uint64_t{index} * kDescriptorBytes;
   const Descriptor descriptor = fetch_descriptor(place);
+  if (observe)
+    observe({.cycle = to_cycles(sc_core::sc_time_stamp()),
+             .job = descriptor.job,
+             .words = descriptor.words,
+             .flags = descriptor.flags,
+             .address = descriptor.address});
   if (!in_job_) errors_ = flags_ = items_left_ = 0;
   in_job_ = true;
   job_ = descriptor.job;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/system/device_registers.hpp"
+#include "sim/system/event_log.hpp"
 
 namespace gnomon::sim::system {
 
@@ -28,6 +29,8 @@ class HardwareModule : public sc_core::sc_module {
   sc_core::sc_out<bool> interrupt;
 
   const DeviceRegisters& registers() const { return registers_; }
+  /// Told of every descriptor, if set.
+  std::function<void(const DescriptorEvent&)> observe;
 
  private:
   struct Descriptor {

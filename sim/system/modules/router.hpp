@@ -12,6 +12,8 @@
 #include <tlm>
 #include <vector>
 
+#include "sim/system/event_log.hpp"
+
 namespace gnomon::sim::system {
 
 struct BusStatistics {
@@ -35,6 +37,8 @@ class Router : public sc_core::sc_module {
   tlm_utils::multi_passthrough_target_socket<Router> targets;
   tlm_utils::multi_passthrough_initiator_socket<Router> initiators;
   Injector inject;
+  /// Told of every transaction, if set.
+  std::function<void(const TransactionEvent&)> observe;
   const std::vector<BusStatistics>& statistics() const { return statistics_; }
 
  private:
@@ -42,6 +46,9 @@ class Router : public sc_core::sc_module {
     std::uint64_t base, bytes;
   };
   void transport(int initiator, tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
+  /// The target that has answered.
+  std::optional<std::size_t> forward(int initiator, tlm::tlm_generic_payload& payload,
+                                     sc_core::sc_time& delay);
   std::optional<std::size_t> find(std::uint64_t address, std::uint64_t bytes) const;
 
   std::uint32_t latency_cycles_;

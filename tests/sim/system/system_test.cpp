@@ -7,6 +7,8 @@
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/golden_engine.hpp>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "sim/registers/registers.hpp"
@@ -124,6 +126,34 @@ TEST(System, CutCommandsAndBadDescriptorsEndInErrors) {
   EXPECT_EQ(reports[1].results, answers(jobs[1].commands));
 }
 
+TEST(System, LogsWhatHappens) {
+  const std::vector<Job> jobs{{.commands = stream(10)}};
+  Bench silent;
+  silent.system.run(jobs);
+  const SystemStatistics without = silent.system.statistics();
+  Bench bench;
+  std::vector<nlohmann::json> events;
+  bench.system.set_event_log([&](const std::string& line) { events.push_back(nlohmann::json::parse(line)); });
+  bench.system.run(jobs);
+  const SystemStatistics with = bench.system.statistics();
+  EXPECT_EQ(with.cycles, without.cycles) << "looking changes nothing";
+  std::map<std::string, std::uint64_t> count;
+  std::uint64_t dram_bytes = 0;
+  for (const nlohmann::json& event : events) {
+    ++count[event.at("event")];
+    if (event.at("event") != "transaction") continue;
+    EXPECT_LT(event.at("begin"), event.at("end"));
+    EXPECT_EQ(event.at("answer"), "okay");
+    if (event.at("target") == "dram") dram_bytes += event.at("bytes").get<std::uint64_t>();
+  }
+  std::uint64_t transactions = 0;
+  for (const BusCount& bus : with.bus) transactions += bus.reads + bus.writes;
+  EXPECT_EQ(count["transaction"], transactions);
+  EXPECT_EQ(dram_bytes, with.dram.bytes);
+  EXPECT_EQ(count["descriptor"], 1u);
+  EXPECT_GE(count["interrupt"], 4u) << "doorbell and end of job, up and down";
+}
+
 /// A fault in about one of `spacing` transactions.
 FaultInjector random_faults(stimulus::Random& random, std::uint64_t& injected, std::int64_t spacing) {
   return [&random, &injected, spacing](std::uint64_t, bool) {
@@ -159,6 +189,36 @@ TEST(System, AThousandFaultsNeverShowAsResults) {
   EXPECT_GT(done, 50u);
   EXPECT_GT(failed, 0u);
   EXPECT_GT(compared, 5'000u);
+}
+
+TEST(System, AResetInTheMiddleOfAJobLeavesNothingBehind) {
+  Bench bench;
+  stimulus::Random random(9);
+  const Words next = stream(61);
+  std::uint64_t ended = 0, compared = 0;
+  for (std::uint64_t round = 0; round < 50; ++round) {
+    std::vector<Job> jobs(2);
+    jobs[0].commands = stream(100 + round, 60);
+    jobs[0].watchdog = static_cast<std::uint32_t>(random.between(1'000, 12'000));  // too short for some
+    jobs[1].commands = next;
+    bench.engine->reset();
+    const std::vector<JobReport> reports = bench.system.run(jobs);
+    const bool whole = reports[0].outcome == mb::kOutcomeIsDone;
+    if (!whole) {
+      EXPECT_EQ(reports[0].error, 0x100u);
+      EXPECT_TRUE(reports[0].results.empty());
+      ++ended;
+    }
+    const auto golden = golden::make_golden_engine({});
+    if (whole) {
+      EXPECT_EQ(reports[0].results, answers(*golden, jobs[0].commands));
+    }
+    EXPECT_EQ(reports[1].results, answers(*golden, next));
+    compared += reports[1].results.size();
+  }
+  EXPECT_GT(ended, 10u);
+  EXPECT_LT(ended, 40u);
+  EXPECT_GT(compared, 2'000u);
 }
 
 TEST(System, AFirmwareThatDoesNothingReachesTheLimit) {
