@@ -36,15 +36,14 @@ float second_of(Key key) {
 struct FaceVertices {
   std::vector<Key> vu, uv;
 
-  void add(float u, float v) {
-    vu.push_back(key(v, u));
-    uv.push_back(key(u, v));
-  }
+  void add(float u, float v) { vu.push_back(key(v, u)); }
+  /// Most vertices are added once for each of the rectangles around them: uv is made of what is left of vu.
   void sort() {
-    for (auto* list : {&vu, &uv}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
+    std::sort(vu.begin(), vu.end());
+    vu.erase(std::unique(vu.begin(), vu.end()), vu.end());
+    uv.resize(vu.size());
+    std::transform(vu.begin(), vu.end(), uv.begin(), [](Key p) { return key(second_of(p), first_of(p)); });
+    std::sort(uv.begin(), uv.end());
   }
   std::uint32_t index(float u, float v) const {
     const auto found = std::lower_bound(vu.begin(), vu.end(), key(v, u));
@@ -138,19 +137,18 @@ void share_borders(const surface::LimitSurface& surface, std::vector<FaceRects>&
   for (const Addition& a : additions) faces[a.face].vertices.add(a.u, a.v);
 }
 
-/// The rectangle's outline with every vertex on it, anticlockwise in (u, v).
+/// The rectangle's outline with every vertex on it, anticlockwise in (u, v). Vertices of a line of equal v
+/// follow one another in vu, so that one search finds them all.
 void outline(const FaceVertices& vertices, const ParamRect& r, std::vector<std::uint32_t>& out) {
   out.clear();
-  out.push_back(vertices.index(r.u0, r.v0));
-  for (const Key p : FaceVertices::between(vertices.vu, r.v0, r.u0, r.u1))
-    out.push_back(vertices.index(second_of(p), r.v0));
-  out.push_back(vertices.index(r.u1, r.v0));
+  std::uint32_t at = vertices.index(r.u0, r.v0);
+  for (; second_of(vertices.vu[at]) < r.u1; ++at) out.push_back(at);
+  out.push_back(at);
   for (const Key p : FaceVertices::between(vertices.uv, r.u1, r.v0, r.v1))
     out.push_back(vertices.index(r.u1, second_of(p)));
-  out.push_back(vertices.index(r.u1, r.v1));
-  const auto top = FaceVertices::between(vertices.vu, r.v1, r.u0, r.u1);
-  for (auto p = top.rbegin(); p != top.rend(); ++p) out.push_back(vertices.index(second_of(*p), r.v1));
-  out.push_back(vertices.index(r.u0, r.v1));
+  at = vertices.index(r.u1, r.v1);
+  for (; second_of(vertices.vu[at]) > r.u0; --at) out.push_back(at);
+  out.push_back(at);
   const auto left = FaceVertices::between(vertices.uv, r.u0, r.v0, r.v1);
   for (auto p = left.rbegin(); p != left.rend(); ++p) out.push_back(vertices.index(r.u0, second_of(*p)));
 }
