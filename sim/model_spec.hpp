@@ -17,7 +17,8 @@ struct ModelSpec {
   /// Without Verilator's rewriting of bit operations (-fno-const-bit-op-tree), a source of wrong code in some
   /// of its versions: for the test that both give the same answers.
   bool plain_bit_operations = false;
-  /// Compiled in half the time, for a run too short to make that up: it takes three times as long.
+  /// Compiled with less optimisation, in little more than half the time: for a run too short to make up for
+  /// it.
   bool quick_build = false;
   int memory_latency = 1;     ///< MEM_LATENCY: cycles of a read of the plane's memory
   int memory_stall_seed = 0;  ///< MEM_STALL_SEED, 0..65535: other than 0, the plane's ports stall at random

@@ -7,9 +7,11 @@
 #include <fstream>
 #include <gnomon/golden/golden_engine.hpp>
 
+#include "tests/rtl/perspective/projection_streams.hpp"
 #include "tests/sim/cosim.hpp"
 #include "tests/sim/coverage_points.hpp"
 #include "tests/sim/functional_bins.hpp"
+#include "tests/support/frame_stream.hpp"
 
 namespace gnomon::sim::test {
 namespace {
@@ -18,8 +20,16 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kRandomStreams = 5;
 
+/// Topology mode, the perspective projection and the frame buffer.
+golden::HardwareConfig projection_and_frame() {
+  golden::HardwareConfig config = rtl_test::perspective_build();
+  config.en_frame_buffer = true;
+  config.frame_layers_log2 = 1;
+  return config;
+}
+
 /// Each kind of hardware that the tests run: with and without resolve pass, with a slow and stalling plane,
-/// with the silhouette-line buffer.
+/// with the silhouette-line buffer, with everything else.
 std::vector<std::pair<golden::HardwareConfig, RtlOptions>> hardware() {
   const golden::HardwareConfig with{.plane_log2 = 6}, without{.plane_log2 = 6, .en_vpu_offset = false},
       slb{.plane_log2 = 6, .en_slb = true, .slb_plane_log2 = 5};
@@ -28,20 +38,33 @@ std::vector<std::pair<golden::HardwareConfig, RtlOptions>> hardware() {
   RtlOptions slow = plain;
   slow.memory_latency = 3;
   slow.memory_stall_seed = 99;
-  return {{with, plain}, {with, slow}, {without, plain}, {slb, plain}, {slb, slow}};
+  const golden::HardwareConfig rest = projection_and_frame();
+  return {{with, plain}, {with, slow},  {without, plain}, {slb, plain},
+          {slb, slow},   {rest, plain}, {rest, slow}};
+}
+
+std::vector<stimulus::DirectedStream> streams_for(const golden::HardwareConfig& config,
+                                                  std::uint64_t first_seed) {
+  std::vector<stimulus::DirectedStream> streams = stimulus::directed_streams(config);
+  for (std::uint64_t seed = 1; seed <= kRandomStreams; ++seed)
+    streams.push_back(random_case(config, first_seed + seed, 300));
+  if (!config.en_frame_buffer) return streams;
+  for (std::uint64_t seed = 1; seed <= kRandomStreams; ++seed)
+    streams.push_back({fmt::format("frame buffer, seed {}", first_seed + seed),
+                       stimulus::frame_stream(config, first_seed + seed, 300)});
+  for (const rtl_test::ProjectionCase& one : rtl_test::projection_cases(10))
+    streams.push_back({one.name, one.words});
+  return streams;
 }
 
 void run_all(const fs::path& folder, CoverageCounts& points, FunctionalBins& bins) {
   int file_number = 0;
   for (auto& [config, options] : hardware()) {
-    for (int stalls = 0; stalls < kStallProfiles; ++stalls) {
+    for (const int stalls : {0, 3, 4, 5}) {  // 1 and 2 are halves of 3
       options.stalls = stall_profile(stalls, 5);
       Cosim cosim(config, options);
-      std::vector<stimulus::DirectedStream> streams = stimulus::directed_streams(config);
-      for (std::uint64_t seed = 1; seed <= kRandomStreams; ++seed) {
-        streams.push_back(random_case(config, 100 * static_cast<std::uint64_t>(stalls) + seed, 300));
-      }
-      for (const stimulus::DirectedStream& stream : streams) {
+      for (const stimulus::DirectedStream& stream :
+           streams_for(config, 100 * static_cast<std::uint64_t>(stalls))) {
         const CompareReport report = cosim.run(stream.words, {});
         if (!report.passed()) throw std::runtime_error(stream.name + "\n" + to_text(report));
         bins.add_cycles(report.rtl_counters);
