@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "host/metrics/exact_reference.hpp"
 #include "tests/host/metrics/fixtures.hpp"

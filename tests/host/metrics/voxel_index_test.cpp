@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "tests/host/metrics/fixtures.hpp"
@@ -47,6 +48,26 @@ TEST(VoxelIndex, AsksTheNearestNeighbourWhereTheOwnCellIsEmpty) {
   EXPECT_EQ(index.answering({4.7, 5.5, 5.5}), 1u);
   EXPECT_EQ(index.answering({7.5, 6.5, 5.5}), 2u);
   EXPECT_EQ(index.answering({12.5, 5.5, 5.5}), kNoVoxel);
+}
+
+TEST(VoxelIndex, AWalkGivesTheAnswersOfSinglePoints) {
+  const auto surfaces = fixtures::surfaces({fixtures::torus({16, 16, 16}, 9, 4, 16, 8)});
+  const voxel::VoxelSet set = fixtures::voxels(surfaces, 32);
+  const VoxelIndex index(set);
+  VoxelIndex::Walk walk(index);
+  std::size_t compared = 0, neighbours = 0;
+  for (int i = 0; i < 20000; ++i) {  // back and forth through and past the tube
+    const double t = 0.001 * i;
+    const Vec3 p(16 + 12 * std::cos(t), 16 + 9 * std::sin(1.7 * t), 16 + 5 * std::sin(23 * t));
+    const std::uint32_t answer = index.answering(p);
+    EXPECT_EQ(walk.answering(p), answer);
+    if (answer == kNoVoxel) continue;
+    ++compared;
+    const voxel::Voxel& v = set.voxels[answer];
+    neighbours += v.x != std::floor(p.x) || v.y != std::floor(p.y) || v.z != std::floor(p.z) ? 1U : 0U;
+  }
+  EXPECT_GT(compared, 3000u);
+  EXPECT_GT(neighbours, 500u);
 }
 
 }  // namespace
