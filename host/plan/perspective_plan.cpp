@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "host/plan/orientation.hpp"
 #include "host/plan/plan_registers.hpp"
 #include "host/plan/representative.hpp"
 
@@ -20,8 +21,8 @@ using golden::Register;
 constexpr double kNearest = 0.5;     // voxels: what is nearer to the light's plane casts no shadow
 constexpr double kDepthRatio = 256;  // farthest to nearest distance that depth codes tell apart
 constexpr double kFarLight = 3.9;    // largest |w| at the grid's corner that MATRIX_W1 holds
-constexpr int kLargestPlane = 12;    // log2
-constexpr double kSurround = 2;      // entries beyond the outermost receiver
+constexpr int kSmallestPlane = 4, kLargestPlane = 12;  // log2
+constexpr double kSurround = 2;                        // entries beyond the outermost receiver
 /// Receivers as near to the light as this share of the typical distance do not widen the plane for the reach
 /// of their offset points.
 constexpr double kNearShare = 0.125;
@@ -48,7 +49,8 @@ struct Sight {
   double farthest = 0;  ///< distance from the light to anything
 };
 
-Sight sight_of(const voxel::VoxelSet& voxels, const LightView& view, const ViewVoxels& seen, double reach) {
+Sight sight_of(const voxel::VoxelSet& voxels, const LightView& view, const LightAxes& axes,
+               const ViewVoxels& seen, double reach) {
   Sight sight;
   const auto from_eye = [&](std::uint32_t i) { return representative(voxels.voxels[i]) - view.eye; };
   std::vector<double> distances, of_casters;
@@ -80,23 +82,33 @@ Sight sight_of(const voxel::VoxelSet& voxels, const LightView& view, const ViewV
     const double z = view.axes.away.dot(q);
     if (z < kNearest) continue;
     const double by = reach / std::max(z, kNearShare * sight.typical);
-    sight.x.extend(view.axes.right.dot(q) / z, by);
-    sight.y.extend(view.axes.up.dot(q) / z, by);
+    sight.x.extend(axes.right.dot(q) / z, by);
+    sight.y.extend(axes.up.dot(q) / z, by);
   }
   return sight;
 }
 
-/// The plane: as many entries a slope as the pitch asks for at the typical distance, in the smallest square.
+/// Entries per unit of slope: as the pitch asks for at the typical receiver and at the nearest casters.
+double wanted_entries(const VpuSettings& settings, const Sight& sight) {
+  const double caster_pitch = settings.caster_pitch > 0 ? settings.caster_pitch : settings.pitch;
+  return std::min(sight.typical / settings.pitch, sight.near / caster_pitch);
+}
+
+/// The smallest plane that holds the box.
+int side_log2_for(const VpuSettings& settings, const Sight& sight) {
+  const double extent = std::max(sight.x.size(), sight.y.size());
+  if (!(extent > 0)) return kSmallestPlane;
+  const double side = wanted_entries(settings, sight) * extent + 2 * kSurround;
+  return std::clamp(log2_ceil(side), kSmallestPlane, kLargestPlane);
+}
+
 void lay_plane(VpuPlan& plan, const Sight& sight) {
   const VpuSettings& settings = plan.settings;
   Projection& p = plan.projection;
+  plan.config.plane_log2 = settings.plane_log2 > 0 ? settings.plane_log2 : side_log2_for(settings, sight);
+  p.plane_side = plan.config.plane_side();
   const double extent = std::max(sight.x.size(), sight.y.size());
-  const double wanted = std::min(sight.typical / settings.pitch, sight.near / settings.caster_pitch);
-  int side_log2 = settings.plane_log2;
-  if (side_log2 == 0) side_log2 = std::clamp(log2_ceil(wanted * extent + 2 * kSurround), 4, kLargestPlane);
-  plan.config.plane_log2 = side_log2;
-  p.plane_side = 1 << side_log2;
-  p.entries_a_slope = std::min(wanted, (p.plane_side - 2 * kSurround) / extent);
+  p.entries_a_slope = std::min(wanted_entries(settings, sight), (p.plane_side - 2 * kSurround) / extent);
   // The register holds two planes on either side of the plane.
   const double most = 2.0 * p.plane_side - 1;
   const auto centre = [&](const Interval& range) {
@@ -119,16 +131,16 @@ void set_depth(VpuPlan& plan, const Sight& sight) {
   p.key_limit /= too_large;
 }
 
-void set_rows(VpuPlan& plan, const LightView& view) {
+void set_rows(VpuPlan& plan, const LightAxes& axes) {
   const golden::HardwareConfig& config = plan.config;
   Projection& p = plan.projection;
   const double scale = p.entries_a_slope / p.w_scale;
-  p.u = view.axes.right * scale;
-  p.v = view.axes.up * scale;
-  p.u1 = -p.u.dot(view.eye);
-  p.v1 = -p.v.dot(view.eye);
+  p.u = axes.right * scale;
+  p.v = axes.up * scale;
+  p.u1 = -p.u.dot(p.eye);
+  p.v1 = -p.v.dot(p.eye);
   const double ulp = std::ldexp(1.0, -config.voxel_frac_bits);
-  const Vec3 corner = Vec3(ulp / 2) - view.eye;
+  const Vec3 corner = Vec3(ulp / 2) - p.eye;
   const auto row = [&](Register first, const Vec3& step, int frac_bits) {
     const auto base = static_cast<std::size_t>(first);
     for (int axis = 0; axis < 3; ++axis)
@@ -137,7 +149,7 @@ void set_rows(VpuPlan& plan, const LightView& view) {
   };
   row(Register::MatrixUx, p.u, config.matrix_frac_bits);
   row(Register::MatrixVx, p.v, config.matrix_frac_bits);
-  row(Register::MatrixWx, view.axes.away / p.w_scale, config.matrix_frac_bits + config.position_bits());
+  row(Register::MatrixWx, axes.away / p.w_scale, config.matrix_frac_bits + config.position_bits());
 }
 
 void set_margin(VpuPlan& plan, const Sight& sight) {
@@ -218,7 +230,11 @@ Result<VpuPlan> plan_perspective(const voxel::VoxelSet& voxels, const LightView&
   if (settings.plane_log2 > 0) plan.config.plane_log2 = settings.plane_log2;
   if (const auto wrong = plan.config.check()) return fail(*wrong);
   const double reach = settings.offset_factor + 1;
-  Sight sight = sight_of(voxels, view, seen, reach);
+  const ViewVoxels some = sampled(seen);
+  const LightAxes axes = settings.plane_log2 > 0 ? view.axes : oriented(view.axes, [&](const LightAxes& to) {
+    return side_log2_for(settings, sight_of(voxels, view, to, some, reach));
+  });
+  Sight sight = sight_of(voxels, view, axes, seen, reach);
   if (sight.x.size() < 0) {
     // All receivers lie at the light itself: any plane will do, all are behind.
     for (Interval* range : {&sight.x, &sight.y}) range->extend(0, 1);
@@ -235,7 +251,7 @@ Result<VpuPlan> plan_perspective(const voxel::VoxelSet& voxels, const LightView&
   lay_plane(plan, sight);
   set_depth(plan, sight);
   plan.registers.assign(golden::kAllRegisterCount, 0);
-  set_rows(plan, view);
+  set_rows(plan, axes);
   const auto factor = offset_factor(settings, plan.config);
   if (!factor) return tl::make_unexpected(factor.error());
   plan.registers[static_cast<std::size_t>(Register::OffsetFactor)] = *factor;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host/base/light_plane.hpp"
+#include "host/plan/orientation.hpp"
 #include "host/plan/plan_registers.hpp"
 #include "host/plan/representative.hpp"
 
@@ -134,11 +135,18 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const LightView& view, c
   if (seen.casters.empty() && seen.receivers.empty())
     return fail("the scene has no voxels: expected at least one surface inside the grid");
   if (view.perspective()) return plan_perspective(voxels, view, seen, settings);
-  const LightAxes& axes = view.axes;
-  const Extent extent = extent_of(voxels, seen, axes);
-  const double side = std::max(extent.u.size(), extent.v.size());
   // One voxel's reach beyond the outermost points on each side: offset points must find their entries.
   const double reach = settings.offset_factor + 1;
+  const auto side_log2 = [&](const Extent& extent) {
+    const double needed = std::max(extent.u.size(), extent.v.size()) + 2 * reach;
+    return std::max(4, log2_ceil(needed / settings.pitch + 2));
+  };
+  const ViewVoxels some = sampled(seen);
+  const LightAxes axes = settings.plane_log2 > 0 ? view.axes : oriented(view.axes, [&](const LightAxes& to) {
+    return side_log2(extent_of(voxels, some, to));
+  });
+  const Extent extent = extent_of(voxels, seen, axes);
+  const double side = std::max(extent.u.size(), extent.v.size());
 
   VpuPlan plan;
   plan.settings = settings;
@@ -146,7 +154,7 @@ Result<VpuPlan> plan_vpu(const voxel::VoxelSet& voxels, const LightView& view, c
   int plane_log2 = settings.plane_log2;
   const double needed = side + 2 * reach;
   if (plane_log2 == 0) {
-    plane_log2 = std::max(4, log2_ceil(needed / pitch + 2));
+    plane_log2 = side_log2(extent);
   } else {
     // A plane that was asked for holds the whole scene: where it is too small, its entries grow.
     pitch = std::max(pitch, needed / (std::ldexp(1.0, plane_log2) - 2));

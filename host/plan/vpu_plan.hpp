@@ -20,7 +20,7 @@ namespace gnomon::plan {
 /// What the user may choose about the VPU; the rest follows from the scene.
 struct VpuSettings {
   double pitch = 1.4;       ///< voxels per plane entry; in perspective at the typical receiver
-  double caster_pitch = 1;  ///< in perspective: the same at the nearest casters, at least
+  double caster_pitch = 0;  ///< in perspective: the same at the nearest casters, at least; 0: pitch
 
   double offset_factor = 0.7;  ///< voxels that an uncertain voxel moves along its normal
   double margin = 1.5;         ///< slope-scaled margin, voxels per unit of tan(N, L)
