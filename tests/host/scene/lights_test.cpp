@@ -168,6 +168,33 @@ TEST_F(LightsTest, RefusesASceneOfWhichNothingTakesShadows) {
   EXPECT_TRUE(load(text).has_value());
 }
 
+TEST(Lights, ReachAndTurnTheSameInEveryCoordinates) {
+  const SpotLight spot{{1, 2, -3}, Vec3(0, -3, 4).normalized(), 30};
+  const std::vector<Light> lights{DirectionalLight{Vec3(1, -2, 2) / 3}, spot, PointLight{{4, 4, 4}}};
+  Mat4 turn, scale, move;
+  turn.setEulerAngles(Vec3(0.3, 1.1, -0.7));
+  scale.setScale(2.5);
+  move.setTranslation(Vec3(7, -8, 9));
+  const Mat4 there = turn * scale * move;
+  int reached = 0;
+  for (const Light& light : lights) {
+    const Light moved = transformed(light, there);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 p(i % 10 - 4.5, i / 10 % 10 - 4.5, i / 100 - 4.5);
+      Vec3 way;
+      turn.multDirMatrix(light_way(light, p), way);
+      EXPECT_NEAR((light_way(moved, p * there) - way).length(), 0, 1e-12);
+      EXPECT_EQ(light_reaches(moved, p * there), light_reaches(light, p));
+      reached += light_reaches(light, p) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(reached, 2010);  // the two that reach everything, and what is in the cone
+  EXPECT_LT(reached, 2500);
+  EXPECT_TRUE(light_reaches(spot, spot.position + spot.direction));
+  EXPECT_FALSE(light_reaches(spot, spot.position - spot.direction));
+  EXPECT_EQ(light_way(spot, spot.position), Vec3(0, 0, 0));
+}
+
 /// Where the ray from a lamp through p meets the plane y = floor.
 Vec3 shadow_of(const Vec3& p, const Vec3& lamp, double floor) {
   return lamp + (p - lamp) * ((lamp.y - floor) / (lamp.y - p.y));
