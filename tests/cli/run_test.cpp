@@ -55,6 +55,33 @@ TEST_F(RunTest, PrintsItsFiguresAsJson) {
   EXPECT_EQ(nlohmann::json::parse(outcome.out), metrics());
 }
 
+TEST_F(RunTest, SetsSeveralTechniquesSideBySide) {
+  const Outcome outcome = run({"--engine", "golden", "--set", "technique=voxel-topology,voxel-offset"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json m = metrics();
+  ASSERT_EQ(m.at("techniques").size(), 2U);
+  EXPECT_EQ(m.at("technique"), "voxel-topology");
+  EXPECT_EQ(m.at("techniques").at(1).at("technique"), "voxel-offset");
+  EXPECT_THAT(m.at("command").at("line").get<std::string>(),
+              HasSubstr("technique=voxel-topology,voxel-offset"));
+  EXPECT_TRUE(fs::exists(results_ / "image-voxel-offset.png"));
+  EXPECT_THAT(run({"--set", "technique=voxel-offset,magic"}).err, HasSubstr("technique=magic is unknown"));
+}
+
+TEST_F(RunTest, RefusesALightThatTheTechniqueDoesNotKnow) {
+  const fs::path scene = directory_.write("lamp.toml",
+                                          "[[models]]\npath = \"cube.obj\"\n[[lights]]\ntype = \"point\"\n"
+                                          "position = [0, 5, 0]\n");
+  const std::vector<std::string> wanted{"run",           scene.string(), "--set", "res=32",         "--set",
+                                        "technique=slb", "-q",           "-o",    results_.string()};
+  const Outcome outcome = run_gnomon(wanted);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(test::line_count(outcome.err), 1U) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              HasSubstr("light 1 is a point light, technique=slb takes directional lights only"));
+  EXPECT_FALSE(fs::exists(results_));
+}
+
 TEST_F(RunTest, RefusesUnknownEnginesAndUnwritableOutput) {
   EXPECT_EQ(run({"--engine", "silicon"}).status, 2);
   EXPECT_FALSE(fs::exists(results_));
