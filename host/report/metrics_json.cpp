@@ -25,7 +25,7 @@ Json hardware_json(const golden::HardwareConfig& c) {
                {"NORMAL_BITS", c.normal_bits},     {"MATRIX_FRAC_BITS", c.matrix_frac_bits},
                {"DEPTH_BITS", c.depth_bits},       {"PLANE_LOG2", c.plane_log2},
                {"EN_VPU_OFFSET", c.en_vpu_offset}, {"EN_SLB", c.en_slb}};
-    json["EN_PERSPECTIVE"] = c.en_perspective;
+  json["EN_PERSPECTIVE"] = c.en_perspective;
   json["EN_VPU_TOPOLOGY"] = c.en_vpu_topology;
   if (c.en_vpu_topology) {
     json["SUB_BITS"] = c.sub_bits;
