@@ -38,6 +38,7 @@ pipeline::RunSettings run_settings(const config::Settings& settings) {
   run.vpu = vpu_settings(settings);
   run.topology = topology_settings(settings, run.vpu);
   run.slb = slb_settings(settings);
+  run.frame_buffer = settings.is_on("frame_buffer");
   run.clock_mhz = settings.number("clock_mhz");
   run.image_width = static_cast<int>(settings.integer("image_width"));
   run.image_height = static_cast<int>(settings.integer("image_height"));

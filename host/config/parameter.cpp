@@ -97,6 +97,9 @@ std::vector<Parameter> make_parameters() {
       integer("nodes_log2", 0, 0, 24, "", "voxel-topology: log2 of the node pool; 0: as the scene needs"),
       integer("quads_log2", 0, 0, 24, "",
               "voxel-topology: log2 of the room for quads; 0: as the scene needs"),
+      choice(
+          "frame_buffer", {"off", "on"},
+          "keep the states of voxels in the hardware and look them up; up to 2 GiB, a layer for each light"),
       choice("surface", {"catmull-clark", "polygon"},
              "what faces are: the cage of a smooth surface, or the surface itself"),
       choice("ground", {"on", "off"}, "put a ground under the models"),

@@ -39,10 +39,11 @@ struct RunSettings {
   plan::VpuSettings vpu;
   plan::TopologySettings topology;
   plan::SlbSettings slb;
-  double clock_mhz = 100;  ///< the clock at which cycles are told as time
-  int image_width = 960;   ///< pixels
-  int image_height = 720;  ///< pixels
-  unsigned threads = 0;    ///< 0: all cores
+  bool frame_buffer = false;  ///< states are kept by the hardware and looked up (docs/frame-buffer.md)
+  double clock_mhz = 100;     ///< the clock at which cycles are told as time
+  int image_width = 960;      ///< pixels
+  int image_height = 720;     ///< pixels
+  unsigned threads = 0;       ///< 0: all cores
 };
 
 /// Called with the stage's name and 0..1, from one thread at a time.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "host/pipeline/kept_states.hpp"
 #include "host/pipeline/slb_technique.hpp"
 #include "host/pipeline/voxel_offset.hpp"
 #include "host/pipeline/voxel_topology.hpp"
@@ -48,6 +49,8 @@ golden::HardwareConfig joined_hardware(golden::HardwareConfig a, const golden::H
   a.en_vpu_offset |= b.en_vpu_offset;
   a.en_vpu_topology |= b.en_vpu_topology;
   a.en_slb |= b.en_slb;
+  a.en_frame_buffer |= b.en_frame_buffer;
+  a.frame_layers_log2 = std::max(a.frame_layers_log2, b.frame_layers_log2);
   a.en_perspective |= b.en_perspective;
   a.plane_log2 = std::max(a.plane_log2, b.plane_log2);
   a.span_log2 = std::max(a.span_log2, b.span_log2);
@@ -57,14 +60,24 @@ golden::HardwareConfig joined_hardware(golden::HardwareConfig a, const golden::H
   return a;
 }
 
-Result<Techniques> make_techniques(const std::string& name, const RunSettings& settings,
-                                   std::span<const TechniqueInput> views) {
+namespace {
+
+Result<Techniques> make_plain(const std::string& name, const RunSettings& settings,
+                              std::span<const TechniqueInput> views) {
   if (name == "voxel-offset") return each(settings, views, make_voxel_offset);
   if (name == "voxel-topology") return each(settings, views, make_voxel_topology);
   if (name == "slb") return with_one_plane(settings, views, make_slb);
   if (name == "slb+voxel") return with_one_plane(settings, views, make_slb_with_voxels);
   return fail(fmt::format(
       "technique={} is unknown, expected one of voxel-offset, voxel-topology, slb, slb+voxel", name));
+}
+
+}  // namespace
+
+Result<Techniques> make_techniques(const std::string& name, const RunSettings& settings,
+                                   std::span<const TechniqueInput> views) {
+  Result<Techniques> all = make_plain(name, settings, views);
+  return all && settings.frame_buffer ? keep_states(std::move(*all), views) : std::move(all);
 }
 
 Result<void> check_lights(const scene::Scene& scene, std::span<const std::string> techniques) {

@@ -33,6 +33,7 @@ struct TechniqueInput {
   SceneQuads& quads;
   const plan::LightView& view;
   const plan::ViewVoxels& seen;
+  std::size_t light = 0;  ///< number of the light that the view belongs to
 };
 
 /// What came out, in the order of what went in.

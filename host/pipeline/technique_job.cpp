@@ -20,7 +20,7 @@ Result<void> TechniqueJob::plan() {
       const SceneLight& light = scene_.lights[l];
       for (std::size_t v = 0; v < light.views.size(); ++v) {
         inputs.push_back(
-            {scene_.surfaces, scene_.roles, scene_.voxels, *scene_.quads, light.views[v], light.seen[v]});
+            {scene_.surfaces, scene_.roles, scene_.voxels, *scene_.quads, light.views[v], light.seen[v], l});
         views_.push_back({l, v, nullptr});
       }
     }

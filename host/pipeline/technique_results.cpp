@@ -139,6 +139,7 @@ report::RunRecord TechniqueJob::record(const std::vector<report::StageTime>& sha
   record.cycles = cycles_;
   record.picture = picture_record_;
   record.command_words = stream_.size();
+  record.result_words = golden_.results.size();
   record.events = golden_.counters.events;
   record.stages = shared;
   record.stages.insert(record.stages.end(), stages_.times().begin(), stages_.times().end());

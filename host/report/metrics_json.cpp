@@ -33,6 +33,8 @@ Json hardware_json(const golden::HardwareConfig& c) {
     json["NODES_LOG2"] = c.nodes_log2;
     json["QUADS_LOG2"] = c.quads_log2;
   }
+  json["EN_FRAME_BUFFER"] = c.en_frame_buffer;
+  if (c.en_frame_buffer) json["FRAME_LAYERS_LOG2"] = c.frame_layers_log2;
   if (!c.en_slb) return json;
   json["SLB_PLANE_LOG2"] = c.slb_plane_log2;
   json["FRAC_BITS"] = c.frac_bits;
@@ -133,7 +135,7 @@ Json memory_json(const RunRecord& record) {
   const std::uint64_t pixels = std::uint64_t{slb.side} * slb.side;
   const std::uint64_t lists = record.topology ? topology_bits(*record.topology) : 0;
   const std::uint64_t scratch = pixels * slb.pixel_scratch_bits + slb.side * slb.row_bits;
-  const std::uint64_t res = record.grid.res;
+  const std::uint64_t frame = frame_buffer_bits(record.hardware);
   return {{"plane_entries", entries},
           {"plane_entry_bits", kPlaneEntryBits},
           {"plane_bits", entries * kPlaneEntryBits},
@@ -142,9 +144,10 @@ Json memory_json(const RunRecord& record) {
           {"slb_plane_bits", pixels * slb.entry_bits},
           {"slb_scratch_bits", scratch},
           {"topology_bits", lists},
-          {"hardware_bits", lists + entries * kPlaneEntryBits + pixels * slb.entry_bits + scratch},
-          {"frame_buffer_bits", 2 * res * res * res},
-          {"command_stream_bits", 64 * record.command_words}};
+          {"hardware_bits", lists + entries * kPlaneEntryBits + pixels * slb.entry_bits + scratch + frame},
+          {"frame_buffer_bits", frame},
+          {"command_stream_bits", 64 * record.command_words},
+          {"result_stream_bits", 64 * record.result_words}};
 }
 
 Json compare_json(const CompareRecord& compare) {

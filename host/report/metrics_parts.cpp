@@ -35,6 +35,12 @@ Json plane_json(const std::optional<PlaneRecord>& plane, const Events& events) {
           {"saturated", event(events, "PROJECT_SATURATED")}};
 }
 
+std::uint64_t frame_buffer_bits(const golden::HardwareConfig& hardware) {
+  constexpr std::uint64_t kBrickBits = 8 + 128;  // generation, 64 states
+  const int bricks_log2 = 3 * hardware.voxel_bits - 6 + hardware.frame_layers_log2;
+  return hardware.en_frame_buffer ? kBrickBits << bricks_log2 : 0;
+}
+
 std::uint64_t topology_bits(const TopologyRecord& t) {
   return std::uint64_t{t.side} * t.side * t.head_bits + t.node_bits + t.record_bits;
 }

@@ -125,8 +125,10 @@ void add_costs(const Json& techniques, Json& rows) {
   add("memory: projection plane", memory("plane_bits"));
   add("memory: lists (heads, nodes, quads)", memory("topology_bits"));
   add("memory: silhouette-line buffer", memory("slb_plane_bits"));
+  add("memory: frame buffer", memory("frame_buffer_bits"));
   add("memory, all", memory("hardware_bits"));
   add("command stream", memory("command_stream_bits"));
+  add("result stream", memory("result_stream_bits"));
   add("host time", [](const Json& t) { return seconds(t.at("run_time").at("host_seconds")); });
 }
 

@@ -208,7 +208,7 @@ struct RunRecord {
 
   golden::HardwareConfig hardware;
   std::vector<RegisterRecord> registers;
-  std::uint64_t command_words = 0;
+  std::uint64_t command_words = 0, result_words = 0;
   std::optional<PlaneRecord> plane;  ///< of the projection unit, if the technique uses it
   std::optional<TopologyRecord> topology;
   std::optional<SlbRecord> slb;
