@@ -124,7 +124,8 @@ module topology #(
     .node_ready_i(node_written), .node_index_o(put_node_index), .node_o(put_node), .record_valid_o(record_write),
     .record_ready_i(record_written), .record_index_o(put_record_index), .record_o(put_record), .idle_o(put_idle),
     .put_o(events_o.quad_put), .clipped_o, .missed_o(events_o.quad_off_plane), .too_large_o(events_o.quad_too_large),
-    .saturated_o(events_o.quad_saturated), .behind_o(quad_behind_o), .straddling_o(quad_straddling_o), .linked_o(events_o.node_linked), .dropped_o(events_o.node_dropped)
+    .saturated_o(events_o.quad_saturated), .behind_o(quad_behind_o), .straddling_o(quad_straddling_o),
+    .linked_o(events_o.node_linked), .dropped_o(events_o.node_dropped)
   );
 
   // ---- RESOLVE_TOPOLOGY ----

@@ -84,14 +84,14 @@ module topology_quad #(
   end
   always_ff @(posedge clk_i) begin
     if (take) begin
-      us_q        <= {u_i, us_q[4*C-1:C]};
-      vs_q        <= {v_i, vs_q[4*C-1:C]};
-      u_low_q     <= u_low;
-      u_high_q    <= u_high;
-      v_low_q     <= v_low;
-      v_high_q    <= v_high;
-      far_q       <= far;
-      saturated_q <= saturated;
+      us_q          <= {u_i, us_q[4*C-1:C]};
+      vs_q          <= {v_i, vs_q[4*C-1:C]};
+      u_low_q       <= u_low;
+      u_high_q      <= u_high;
+      v_low_q       <= v_low;
+      v_high_q      <= v_high;
+      far_q         <= far;
+      saturated_q   <= saturated;
       all_behind_q  <= all_behind;
       some_behind_q <= some_behind;
     end
@@ -138,12 +138,12 @@ module topology_quad #(
     else if (leave && number_q != '1) number_q <= number_q + 1'b1;  // sticks at the last
   end
 
-  assign idle_o      = !full_q;
-  assign put_o       = leave;
-  assign clipped_o   = leave && !some_behind_q && clipped;
-  assign missed_o    = leave && !some_behind_q && missed;
-  assign too_large_o = leave && !ends && too_large;
-  assign saturated_o = leave && !ends && saturated_q;
+  assign idle_o       = !full_q;
+  assign put_o        = leave;
+  assign clipped_o    = leave && !some_behind_q && clipped;
+  assign missed_o     = leave && !some_behind_q && missed;
+  assign too_large_o  = leave && !ends && too_large;
+  assign saturated_o  = leave && !ends && saturated_q;
   assign behind_o     = leave && all_behind_q;
   assign straddling_o = leave && some_behind_q && !all_behind_q;
 

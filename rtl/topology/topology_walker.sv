@@ -143,7 +143,8 @@ module topology_walker #(
   stream_skid #(.WIDTH(SEEN)) u_seen (
     .clk_i, .rst_ni, .valid_i(node_valid_i), .ready_o(node_ready_o),
     .data_i({
-      nearer, node_last || (node_sorted && !nearer && !mutations_pkg::TOPOLOGY_SORTED_GOES_ON), node_next, node_quad, one_more(node_visited), node_tested,
+      nearer, node_last || (node_sorted && !nearer && !mutations_pkg::TOPOLOGY_SORTED_GOES_ON), node_next,
+      node_quad, one_more(node_visited), node_tested,
       node_walk
     }),
     .valid_o(seen_valid), .ready_i(seen_ready),

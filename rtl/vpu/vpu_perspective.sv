@@ -193,12 +193,14 @@ module vpu_perspective #(
   logic signed [PLACE-1:0]  u_fine, v_fine;
   logic signed [KEY:0]      key, key11_q;
   logic [D-1:0]             depth;
-  logic                     saturated, outside11_q, outside12_q;
+  logic                     saturated, outside, outside11_q, outside12_q;
   logic signed [MOVED-1:0]  u11_q, v11_q, u12_q, v12_q;
   logic signed [H_TURN-1:0] h_turn;
   logic signed [H_STEP-1:0] h_step11_q;
   logic [D+KEY-1:0]         max_product;
   logic [KEY-5:0]           max11_q;
+  assign outside     = (cone_i || mutations_pkg::PERSPECTIVE_CONE_ALWAYS) &&
+                       (CONE + 6)'(square_u10_q) + (CONE + 6)'(square_v10_q) > (CONE + 6)'(cone_squared_i);
   assign key         = $signed({1'b0, key_limit_i}) - $signed({1'b0, h10_q});
   assign h_turn      = H_TURN'($signed({1'b0, h10_q})) * H_TURN'(rho10_q);
   assign max_product = (D + KEY)'(delta_max_i) * (D + KEY)'(h10_q);
@@ -250,7 +252,7 @@ module vpu_perspective #(
       h_step11_q  <= H_STEP'(h_turn >>> RHO_F);  // floor
       u11_q       <= MOVED'(u10_q) + MOVED'(x_du10_q) - MOVED'(turn_u10_q);
       v11_q       <= MOVED'(v10_q) + MOVED'(x_dv10_q) - MOVED'(turn_v10_q);
-      outside11_q <= (cone_i || mutations_pkg::PERSPECTIVE_CONE_ALWAYS) && (CONE + 6)'(square_u10_q) + (CONE + 6)'(square_v10_q) > (CONE + 6)'(cone_squared_i);
+      outside11_q <= outside;
       max11_q     <= max_product[D+KEY-1:D+4];  // floor
 
       key12_q     <= KEY_MOVED'(key11_q) + KEY_MOVED'(h_step11_q);
