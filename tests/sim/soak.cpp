@@ -103,7 +103,8 @@ int soak(const SoakOptions& options) {
 int main(int argc, char** argv) {
   gnomon::sim::test::SoakOptions options;
   CLI::App app{"Random co-simulation of the RTL against golden, seed by seed"};
-  app.add_option("--first", options.first_seed, "first seed")->capture_default_str();
+  app.add_option("--first", options.first_seed, "first seed, or number of the first build")
+      ->capture_default_str();
   app.add_option("--seeds", options.seeds, "number of seeds")->capture_default_str();
   app.add_option("--commands", options.commands, "commands a stream")->capture_default_str();
   app.add_option("--seconds", options.seconds, "stop after this time, 0 for never")->capture_default_str();
@@ -116,7 +117,7 @@ int main(int argc, char** argv) {
       "buffer, and planes of the former up to 2^12");
   CLI11_PARSE(app, argc, argv);
   try {
-    if (builds) return gnomon::sim::test::soak_builds() == 0 ? 0 : 1;
+    if (builds) return gnomon::sim::test::soak_builds(options.first_seed) == 0 ? 0 : 1;
     return gnomon::sim::test::soak(options) == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());
