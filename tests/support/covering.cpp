@@ -21,8 +21,8 @@ using Pair = std::tuple<std::size_t, int, std::size_t, int>;
 using Pairs = std::set<Pair>;
 
 std::vector<int> vpu_values(const HardwareConfig& c) {
-  return {c.voxel_bits, c.voxel_frac_bits, c.normal_bits,  c.matrix_frac_bits,
-          c.depth_bits, c.plane_log2,      c.en_vpu_offset};
+  return {c.voxel_bits, c.voxel_frac_bits, c.normal_bits,   c.matrix_frac_bits,
+          c.depth_bits, c.plane_log2,      c.en_vpu_offset, c.en_perspective};
 }
 
 int fewest_subpixel_bits(const HardwareConfig& c) {
@@ -144,10 +144,12 @@ Configs corner_configs() {
         for (const int matrix_frac : {12, 22, 28})
           for (const int depth : {8, 20, 24})
             for (const int plane : {4, 9, 12})
-              for (const bool offset : {true, false}) {
-                const HardwareConfig config{voxel, voxel_frac, normal, matrix_frac, depth, plane, offset};
-                if (!config.check()) configs.push_back(config);
-              }
+              for (const bool offset : {true, false})
+                for (const bool perspective : {false, true}) {
+                  HardwareConfig config{voxel, voxel_frac, normal, matrix_frac, depth, plane, offset};
+                  config.en_perspective = perspective;
+                  if (!config.check()) configs.push_back(config);
+                }
   return configs;
 }
 
