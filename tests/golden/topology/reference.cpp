@@ -29,6 +29,22 @@ Rational area(const Point& start, const Point& a, const Point& b) {
   return (a[0] - start[0]) * (b[1] - start[1]) - (a[1] - start[1]) * (b[0] - start[0]);
 }
 
+/// The clearance is in the beam's depth.
+std::optional<Point> beam_in_perspective(const exact::PerspectiveUnit& light, const topology::Item& voxel,
+                                         bool two_sided, std::uint32_t clearance,
+                                         topology::TopologyResult& result) {
+  const golden::VoxelItem item{voxel.position, voxel.normal};
+  const exact::Sight sight = light.see(item);
+  result.behind = sight.behind;
+  result.outside_cone = !sight.behind && light.outside_cone(sight);
+  const Rational descent = light.descent(item);
+  const bool reached = !result.behind && !result.outside_cone;
+  result.facing_away = reached && (descent == 0 || (descent > 0 && !two_sided));
+  if (!reached || result.facing_away) return std::nullopt;
+  const exact::Moved moved = light.move(item, sight, descent > 0, clearance);
+  return Point{moved.fine[0], moved.fine[1], Rational(floor(moved.key))};
+}
+
 }  // namespace
 
 Integer floor(const Rational& x) {
@@ -86,17 +102,19 @@ bool TopologyReference::Quad::linked_to(const Integer& u, const Integer& v) cons
   return meets(u, v) && (v - v0) * (u1 - u0 + 1) + (u - u0) < linked;
 }
 
-std::optional<Point> TopologyReference::place(const topology::Item& item) const {
-  if (light_) {
-    const exact::Sight sight = light_->see({item.position, item.normal});
-    if (sight.behind) return std::nullopt;
-    return Point{sight.fine[0], sight.fine[1], sight.key};
-  }
+Point TopologyReference::orthographic_place(const topology::Item& item) const {
   const int f = config_.matrix_frac_bits, depth_bits = config_.position_bits() + 4;
   const std::array<Rational, 3> at = {item.position[0], item.position[1], item.position[2]};
-  return Point{row(0, at, f) + Rational(registers_.matrix[3]) * power_of_two(-f),
-               row(4, at, f) + Rational(registers_.matrix[7]) * power_of_two(-f),
-               row(8, at, depth_bits) + Rational(registers_.matrix[11]) * power_of_two(-depth_bits)};
+  return {row(0, at, f) + Rational(registers_.matrix[3]) * power_of_two(-f),
+          row(4, at, f) + Rational(registers_.matrix[7]) * power_of_two(-f),
+          row(8, at, depth_bits) + Rational(registers_.matrix[11]) * power_of_two(-depth_bits)};
+}
+
+std::optional<Point> TopologyReference::place(const topology::Item& item) const {
+  if (!light_) return orthographic_place(item);
+  const exact::Sight sight = light_->see({item.position, item.normal});
+  if (sight.behind) return std::nullopt;
+  return Point{sight.fine[0], sight.fine[1], sight.key};
 }
 
 void TopologyReference::put(const std::array<topology::Item, 4>& items) {
@@ -152,26 +170,10 @@ std::vector<std::uint32_t> TopologyReference::list(std::int64_t u, std::int64_t 
   return numbers;
 }
 
-/// `clearance` becomes 0: it is in the beam's depth.
-std::optional<Point> TopologyReference::beam_in_perspective(const topology::Item& voxel, bool two_sided,
-                                                            std::uint32_t clearance,
-                                                            topology::TopologyResult& result) const {
-  const golden::VoxelItem item{voxel.position, voxel.normal};
-  const exact::Sight sight = light_->see(item);
-  result.behind = sight.behind;
-  result.outside_cone = !sight.behind && light_->outside_cone(sight);
-  const Rational descent = light_->descent(item);
-  const bool reached = !result.behind && !result.outside_cone;
-  result.facing_away = reached && (descent == 0 || (descent > 0 && !two_sided));
-  if (!reached || result.facing_away) return std::nullopt;
-  const exact::Moved moved = light_->move(item, sight, descent > 0, clearance);
-  return Point{moved.fine[0], moved.fine[1], Rational(floor(moved.key))};
-}
-
 std::optional<Point> TopologyReference::beam(const topology::Item& voxel, bool two_sided,
                                              std::uint32_t& clearance,
                                              topology::TopologyResult& result) const {
-  if (light_) return beam_in_perspective(voxel, two_sided, std::exchange(clearance, 0), result);
+  if (light_) return beam_in_perspective(*light_, voxel, two_sided, std::exchange(clearance, 0), result);
   const int f = config_.matrix_frac_bits, depth_bits = config_.position_bits() + 4;
   std::array<Rational, 3> normal = {voxel.normal[0], voxel.normal[1], voxel.normal[2]};
   if (two_sided && row(8, normal, depth_bits) > 0)
@@ -180,7 +182,7 @@ std::optional<Point> TopologyReference::beam(const topology::Item& voxel, bool t
   result.facing_away = descent >= 0;
   if (result.facing_away) return std::nullopt;
   const Rational factor = Rational(registers_.offset_factor) * power_of_two(-16);
-  Point moved = *place(voxel);
+  Point moved = orthographic_place(voxel);
   for (std::size_t axis = 0; axis < 2; ++axis) moved[axis] += floor_to(factor * row(4 * axis, normal, f), f);
   moved[2] = Rational(floor(floor_to(moved[2], 4) + floor_to(factor * floor_to(descent, 4), 4)));
   return moved;

@@ -60,14 +60,12 @@ class TopologyReference {
     bool linked_to(const Integer& u, const Integer& v) const;
   };
 
+  Point orthographic_place(const golden::topology::Item& item) const;
   /// Nothing behind the light.
   std::optional<Point> place(const golden::topology::Item& item) const;
   /// The beam of a voxel; nothing if `result` says why there is none.
   std::optional<Point> beam(const golden::topology::Item& voxel, bool two_sided, std::uint32_t& clearance,
                             golden::topology::TopologyResult& result) const;
-  std::optional<Point> beam_in_perspective(const golden::topology::Item& voxel, bool two_sided,
-                                           std::uint32_t clearance,
-                                           golden::topology::TopologyResult& result) const;
   Rational row(std::size_t first, const std::array<Rational, 3>& at, int fraction_bits) const;
   Rational saturated(const Rational& depth) const;
 
