@@ -61,6 +61,8 @@ class Technique {
   virtual std::optional<std::vector<golden::VoxelState>> in_double() const = 0;
   /// Voxels per entry or pixel of the plane in which displacements are measured.
   virtual double pitch() const = 0;
+  /// The same on the plane that metrics::LightScale measures on: at distance 1 from a light that has a place.
+  virtual double pitch_on_plane() const { return pitch(); }
   /// Shadow maps over the same area that it is to be measured against.
   virtual std::vector<LightPlane> shadow_maps() const { return {}; }
   /// Its part of the view's record, once golden has run; `results` are the view's.

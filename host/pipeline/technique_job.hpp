@@ -59,7 +59,7 @@ class TechniqueJob {
   report::ShadowMapRecord measure_shadow_map(std::size_t light, const LightPlane& plane) const;
   std::vector<std::optional<std::vector<golden::VoxelState>>> in_double() const;
   void measure_errors();
-  double pitch_of(std::size_t light) const;
+  double mean_of(std::size_t light, double (Technique::*figure)() const) const;
   metrics::ErrorOptions error_options(std::size_t light) const;
   bool answers_points() const { return views_.front().technique->answers_points(); }
   render::Picture picture() const;

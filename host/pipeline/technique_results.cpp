@@ -21,20 +21,20 @@ metrics::SampleAnswers TechniqueJob::sample_answers(std::size_t light) const {
   return {{samples, border}, {border, border + static_cast<std::ptrdiff_t>(truth.border_samples.size())}};
 }
 
-/// The mean over its views; 1 where it has none.
-double TechniqueJob::pitch_of(std::size_t light) const {
+/// The mean over a light's views; 1 where it has none.
+double TechniqueJob::mean_of(std::size_t light, double (Technique::*figure)() const) const {
   double sum = 0;
   int views = 0;
   for (const View& view : views_) {
     if (view.light != light) continue;
-    sum += view.technique->pitch();
+    sum += (*view.technique.*figure)();
     ++views;
   }
   return views > 0 ? sum / views : 1;
 }
 
 metrics::ErrorOptions TechniqueJob::error_options(std::size_t light) const {
-  return {scene_.ground(), pitch_of(light)};
+  return {scene_.ground(), mean_of(light, &Technique::pitch_on_plane)};
 }
 
 report::ShadowMapRecord TechniqueJob::measure_shadow_map(std::size_t light, const LightPlane& plane) const {
@@ -77,6 +77,7 @@ void TechniqueJob::measure_errors() {
       auto maps = std::move(record.errors.shadow_maps);
       record.errors = errors_record(light.truth, scene_.voxels, states_[l], sample_answers(l),
                                     exact_arithmetic[l], error_options(l));
+      record.errors.pitch = mean_of(l, &Technique::pitch);
       record.errors.shadow_maps = std::move(maps);
       record.exact = exact_record(*light.exact, light.truth);
       record.in_shadow = static_cast<std::uint64_t>(std::ranges::count(states_[l], VoxelState::Shadow));

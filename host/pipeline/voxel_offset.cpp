@@ -17,6 +17,7 @@ class VoxelOffset final : public Technique {
   const golden::HardwareConfig& config() const override { return plan_.config; }
   bool answers_points() const override { return false; }
   double pitch() const override { return plan_.projection.pitch; }
+  double pitch_on_plane() const override { return plan_.projection.pitch_on_plane(); }
 
   Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
                      std::span<const Receiver>) override {

@@ -24,6 +24,7 @@ class VoxelTopology final : public Technique {
   const golden::HardwareConfig& config() const override { return config_; }
   bool answers_points() const override { return false; }
   double pitch() const override { return plan_.vpu.projection.pitch; }
+  double pitch_on_plane() const override { return plan_.vpu.projection.pitch_on_plane(); }
 
   Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
                      std::span<const Receiver>) override {

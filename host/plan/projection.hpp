@@ -24,6 +24,8 @@ struct Projection {
   Vec2 centre{0, 0};           ///< entries, where the axis meets the plane
   double key_limit = 0, key_scale = 0;
 
+  /// An entry's side: voxels, or, in perspective, at distance 1 along the axis.
+  double pitch_on_plane() const { return perspective ? 1 / entries_a_slope : pitch; }
   double z(const Vec3& p) const { return axis.dot(p - eye); }
   bool behind(const Vec3& p) const { return perspective && z(p) < z_min; }
   /// The way the light travels at p, unit length.

@@ -62,6 +62,9 @@ TEST_F(RunTest, SpotsAndPointLightsBesideADirectionalOne) {
       EXPECT_LT(light["errors"]["fixed"]["unambiguous"]["share"].get<double>(), limit)
           << technique << light["type"];
       EXPECT_GT(number(light["shadow"]), 100u);
+      const double displacement = light["errors"]["fixed"]["boundary_displacement"].get<double>();
+      EXPECT_GT(displacement, 0.02) << "entries, whatever the light: " << light["type"];
+      EXPECT_LT(displacement, 1.5);
     }
   }
 }
