@@ -59,7 +59,8 @@ module gnomon_top #(
     .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
     .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
     .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
-    .QUADS_LOG2(QUADS_LOG2), .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
+    .QUADS_LOG2(QUADS_LOG2), .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2),
+    .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
     .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS),
     .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(MEM_LATENCY),
     .MEM_STALL_SEED(MEM_STALL_SEED)
@@ -91,7 +92,8 @@ module gnomon_top #(
   gnomon_pkg::slb_events_t slb_events;
 
   // ---- Topology mode ----
-  logic                           topology_start, topology_item_offered, topology_item_valid, topology_item_ready, topology_idle, topology_step;
+  logic                           topology_start, topology_item_offered, topology_item_valid, topology_item_ready;
+  logic                           topology_idle, topology_step;
   logic                           topology_wait, topology_valid, topology_clipped;
   logic [63:0]                    topology_result;
   topology_pkg::topology_events_t topology_events;
@@ -106,7 +108,8 @@ module gnomon_top #(
   logic [63:0]              state_word;
 
   // ---- Decoder ----
-  logic                                       register_write, item_offered, item_valid, item_ready, item_resolve, item_two_sided;
+  logic                                       register_write, item_offered, item_valid, item_ready, item_resolve;
+  logic                                       item_two_sided;
   logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index;
   logic                                       vpu_idle, plane_idle, clear_valid, clear_ready, clear_last;
   logic                                       read_start, reading, read_step, read_last;
@@ -134,7 +137,8 @@ module gnomon_top #(
     .frame_item_ready_i(frame_item_ready), .frame_item_last_o(frame_item_last), .frame_idle_i(frame_idle),
     .frame_step_i(frame_step), .frame_wait_i(frame_wait), .slb_start_o(slb_start), .slb_item_valid_o(slb_item_valid),
     .slb_item_ready_i(slb_item_ready), .slb_close_valid_o(slb_close_valid), .slb_close_ready_i(slb_close_ready),
-    .slb_idle_i(slb_idle), .slb_step_i(slb_step), .slb_wait_i(slb_wait), .plane_idle_i(plane_idle), .clear_valid_o(clear_valid), .clear_ready_i(clear_ready),
+    .slb_idle_i(slb_idle), .slb_step_i(slb_step), .slb_wait_i(slb_wait),
+    .plane_idle_i(plane_idle), .clear_valid_o(clear_valid), .clear_ready_i(clear_ready),
     .clear_last_i(clear_last), .read_start_o(read_start), .read_first_o(read_first),
     .read_count_minus1_o(read_count_minus1), .reading_o(reading), .read_step_i(read_step), .read_last_i(read_last),
     .result_valid_o(decoder_valid), .result_ready_i(result_ready), .result_o(decoder_result),
