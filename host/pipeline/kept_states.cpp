@@ -20,6 +20,7 @@ class KeptStates final : public Technique {
   const golden::HardwareConfig& config() const override { return config_; }
   bool answers_points() const override { return false; }
   double pitch() const override { return technique_->pitch(); }
+  double pitch_on_plane() const override { return technique_->pitch_on_plane(); }
   std::vector<LightPlane> shadow_maps() const override { return technique_->shadow_maps(); }
   std::optional<std::vector<golden::VoxelState>> in_double() const override {
     return technique_->in_double();
