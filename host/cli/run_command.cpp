@@ -43,6 +43,17 @@ class RunCommand : public Command {
         ->capture_default_str();
     command->add_option("-o,--output", output_, "Directory of the results [out/<name of the scene>]")
         ->type_name("DIR");
+    command
+        ->add_option("--frames", frames_,
+                     "N pictures of a camera that goes once around the scene; shadows are found once")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000));
+    command
+        ->add_option("--mesh", meshes_,
+                     "Write the surfaces as mesh.obj, or with their shadows as mesh.ply; repeatable")
+        ->type_name("obj|ply")
+        ->check(CLI::IsMember({"obj", "ply"}))
+        ->allow_extra_args(false);
     command->add_flag("--json", json_, "Print the figures (what metrics.json holds) as JSON");
     add_set_option(*command, set_);
     command->footer("Example:\n  gnomon run cup.obj --set res=512 -o out/cup");
@@ -73,6 +84,9 @@ class RunCommand : public Command {
     request.engine = engine_ == "golden" ? pipeline::EngineKind::Golden : pipeline::EngineKind::Rtl;
     request.seed = static_cast<std::uint32_t>(input.settings.integer("seed"));
     request.command_line = reproduction(input.settings, request.output);
+    request.frames = frames_;
+    for (const std::string& mesh : meshes_)
+      request.meshes.push_back(mesh == "obj" ? mesh::MeshFormat::Obj : mesh::MeshFormat::Ply);
     request.parameters = parameter_values(input.settings);
     request.earlier_stages = {{"load", input.seconds, input.user_seconds}};
     request.versions = versions();
@@ -86,12 +100,16 @@ class RunCommand : public Command {
   std::vector<std::string> reproduction(const config::Settings& settings, const fs::path& output) const {
     std::vector<std::string> words{"gnomon", "run", scene_.string(), "--engine", engine_};
     for (std::string& word : settings.as_flags()) words.push_back(std::move(word));
+    if (frames_ > 0) words.insert(words.end(), {"--frames", std::to_string(frames_)});
+    for (const std::string& mesh : meshes_) words.insert(words.end(), {"--mesh", mesh});
     words.insert(words.end(), {"-o", output.string()});
     return words;
   }
 
   fs::path scene_, output_;
   std::string engine_ = "rtl";
+  std::uint32_t frames_ = 0;
+  std::vector<std::string> meshes_;
   bool json_ = false;
   std::vector<std::string> set_;
 };

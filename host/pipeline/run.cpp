@@ -13,6 +13,7 @@
 
 #include "host/pipeline/lit_scene.hpp"
 #include "host/pipeline/npy.hpp"
+#include "host/pipeline/scene_meshes.hpp"
 #include "host/pipeline/technique_job.hpp"
 #include "host/render/png_file.hpp"
 #include "host/report/metrics_json.hpp"
@@ -108,8 +109,13 @@ Result<RunOutcome> run_all(const RunRequest& request) {
   for (const auto& job : jobs) {
     if (auto done = job->run(); !done) return fail(done.error().message);
     job->draw();
+    const std::string suffix = job == jobs.front() ? "" : "-" + job->name();
+    if (auto done = job->draw_frames(output->staging() / ("frames" + suffix)); !done)
+      return fail(done.error().message);
     records.push_back(job->record(stages.times()));
   }
+  if (auto done = write_meshes(*output, request, scene, jobs, stages); !done)
+    return fail(done.error().message);
   auto metrics = write(*output, scene, jobs, records);
   if (!metrics) return fail(metrics.error().message);
   stages.progress("report", 1);
@@ -125,6 +131,13 @@ Result<void> check(const RunRequest& request) {
   if (request.scene.lights.empty()) return fail(source + ": has no lights, expected at least one");
   if (request.scene.objects.empty()) return fail(source + ": has no objects, expected at least one");
   if (request.settings.techniques.empty()) return fail("technique is empty, expected at least one");
+  for (const std::string& name : request.settings.techniques) {
+    if (request.frames > 0 && request.scene.lights.size() > 1 && name.starts_with("slb"))
+      return fail(
+          fmt::format("{}: has {} lights, expected one with technique={} and --frames: its buffer "
+                      "holds the silhouettes of one light at a time",
+                      source, request.scene.lights.size(), name));
+  }
   return check_lights(request.scene, request.settings.techniques);
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/mesh/mesh_files.hpp"
 #include "host/plan/slb_settings.hpp"
 #include "host/plan/topology_plan.hpp"
 #include "host/plan/vpu_plan.hpp"
@@ -61,6 +62,9 @@ struct RunRequest {
   EngineKind engine = EngineKind::Rtl;
   std::filesystem::path output;  ///< directory, made if missing; an older run's results in it are replaced
   std::uint32_t seed = 1;        ///< reset values of the rtl engine
+  /// Pictures from a camera that goes once around its target, the first from where it is; 0: none.
+  std::uint32_t frames = 0;
+  std::vector<mesh::MeshFormat> meshes;  ///< of the surfaces with their shadows
 
   // What the report says about where the run came from.
   std::vector<std::string> command_line;                      ///< reproduces this run
@@ -89,9 +93,10 @@ struct RunOutcome {
 
 /// Does the whole job and leaves in `request.output`: report.html, image.png, reference.png, error.png,
 /// metrics.json, voxels.npy and stream.gnomon, all or none of them; of each further technique T image-T.png,
-/// error-T.png, voxels-T.npy and stream-T.gnomon. A failed comparison is an outcome, not an error: the report
-/// is written and shows it. Errors are what the user can cure: settings that make no legal hardware, a light
-/// that a technique does not know, an output directory that cannot be written, no compiler for the rtl
+/// error-T.png, voxels-T.npy and stream-T.gnomon; where asked for, frames/frame_0000.png and so on
+/// (frames-T/) and mesh.obj, mesh.ply (mesh-T.ply). A failed comparison is an outcome, not an error: the
+/// report is written and shows it. Errors are what the user can cure: settings that make no legal hardware, a
+/// light that a technique does not know, an output directory that cannot be written, no compiler for the rtl
 /// engine, an interruption.
 Result<RunOutcome> run(const RunRequest& request);
 

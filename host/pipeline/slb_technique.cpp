@@ -59,6 +59,21 @@ std::vector<golden::slb::Entry> entries_of(std::span<const golden::Word> results
   return entries;
 }
 
+/// In order, among other results.
+Result<std::vector<golden::slb::QueryAnswer>> query_answers(std::span<const golden::Word> results,
+                                                            std::size_t expected) {
+  std::vector<golden::slb::QueryAnswer> answers;
+  answers.reserve(expected);
+  golden::ResultReader reader(results);
+  while (const auto result = reader.next()) {
+    if (golden::result_code(result->word) == golden::ResultCode::Error)
+      return fail("the hardware refused a command: " + golden::describe_result(result->word));
+    if (static_cast<std::uint8_t>(result->word >> 56) == golden::slb::kAnswerCode)
+      answers.push_back(golden::slb::decode_answer(result->word));
+  }
+  return answers;
+}
+
 class SlbTechnique final : public Technique {
  public:
   SlbTechnique(const TechniqueInput& input, plan::SlbPlan slb, std::optional<plan::VpuPlan> vpu)
@@ -74,6 +89,12 @@ class SlbTechnique final : public Technique {
   Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
                      std::span<const Receiver> points) override;
   Result<Answers> decode(std::span<const golden::Word> results) const override;
+  void ask(golden::StreamWriter& writer, std::span<const Receiver> points) const override {
+    plan::ask_receivers(writer, slb_, points);
+  }
+  Result<std::vector<std::uint8_t>> answers(std::span<const golden::Word> results,
+                                            std::span<const Receiver> points,
+                                            std::span<const golden::Word> run) const override;
   std::vector<LightPlane> shadow_maps() const override {
     return {slb_.plane, slb_.plane.finer(1 << config_.frac_bits)};
   }
@@ -90,6 +111,9 @@ class SlbTechnique final : public Technique {
   }
   Result<void> draw(golden::StreamWriter& writer) const;
   Result<std::vector<VoxelState>> states_of_voxels(std::span<const golden::Word> results) const;
+  Result<std::vector<std::uint8_t>> shadowed(std::span<const golden::Word> results,
+                                             std::span<const Receiver> receivers,
+                                             std::span<const VoxelState> states, std::size_t voxels) const;
   VoxelState state_near(const metrics::VoxelIndex& index, std::span<const VoxelState> states,
                         const Vec3& point) const;
 
@@ -135,7 +159,9 @@ Result<void> SlbTechnique::write(golden::StreamWriter& writer, const golden::Har
   return {};
 }
 
+/// Of the receivers, as the projection unit found them; none without it.
 Result<std::vector<VoxelState>> SlbTechnique::states_of_voxels(std::span<const golden::Word> results) const {
+  if (!vpu_) return std::vector<VoxelState>();
   const auto voxels = plan::voxel_results(results, input_.seen.receivers.size());
   if (!voxels) return fail(voxels.error().message);
   std::vector<VoxelState> states;
@@ -154,45 +180,51 @@ VoxelState SlbTechnique::state_near(const metrics::VoxelIndex& index, std::span<
   return states[static_cast<std::size_t>(found - asked.begin())];
 }
 
-Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) const {
-  std::vector<VoxelState> states;
-  if (vpu_) {
-    auto of_voxels = states_of_voxels(results);
-    if (!of_voxels) return fail(of_voxels.error().message);
-    states = std::move(*of_voxels);
-  }
-  std::vector<golden::slb::QueryAnswer> answers;
-  answers.reserve(receivers_.size());
-  golden::ResultReader reader(results);
-  while (const auto result = reader.next()) {
-    if (golden::result_code(result->word) == golden::ResultCode::Error)
-      return fail("the hardware refused a command: " + golden::describe_result(result->word));
-    if (static_cast<std::uint8_t>(result->word >> 56) == golden::slb::kAnswerCode)
-      answers.push_back(golden::slb::decode_answer(result->word));
-  }
-
+/// 1 for shadow, one a receiver; the first `voxels` of them are the voxels asked about, which `states`
+/// belongs to.
+Result<std::vector<std::uint8_t>> SlbTechnique::shadowed(std::span<const golden::Word> results,
+                                                         std::span<const Receiver> receivers,
+                                                         std::span<const VoxelState> states,
+                                                         std::size_t voxels) const {
+  const auto answers = query_answers(results, receivers.size());
+  if (!answers) return fail(answers.error().message);
   const metrics::VoxelIndex index(input_.voxels);
-  const std::vector<std::uint32_t>& asked = input_.seen.receivers;
-  std::vector<std::uint8_t> shadowed(receivers_.size(), 1);
+  std::vector<std::uint8_t> shadowed(receivers.size(), 1);
   std::size_t next = 0;
-  for (std::size_t i = 0; i < receivers_.size(); ++i) {
-    const Receiver& r = receivers_[i];
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const Receiver& r = receivers[i];
     if (!r.faces_light()) continue;
-    if (next == answers.size()) return fail("the hardware answered fewer queries than it was asked");
-    const golden::slb::QueryAnswer& answer = answers[next++];
+    if (next == answers->size()) return fail("the hardware answered fewer queries than it was asked");
+    const golden::slb::QueryAnswer& answer = (*answers)[next++];
     shadowed[i] = answer.shadow ? 1 : 0;
     if (states.empty() || answer.has_fragment) continue;
-    const auto state = i < asked.size() ? states[i] : state_near(index, states, Vec3(r.x, r.y, r.z));
+    const auto state = i < voxels ? states[i] : state_near(index, states, Vec3(r.x, r.y, r.z));
     shadowed[i] = state == VoxelState::Shadow ? 1 : 0;
   }
-  if (next != answers.size()) return fail("the hardware answered more queries than it was asked");
+  if (next != answers->size()) return fail("the hardware answered more queries than it was asked");
+  return shadowed;
+}
 
+Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) const {
+  const auto states = states_of_voxels(results);
+  if (!states) return fail(states.error().message);
+  const std::size_t voxels = input_.seen.receivers.size();
+  const auto answered = shadowed(results, receivers_, *states, voxels);
+  if (!answered) return fail(answered.error().message);
   Answers all;
-  const auto first_point = shadowed.begin() + static_cast<std::ptrdiff_t>(asked.size());
-  for (auto at = shadowed.begin(); at != first_point; ++at)
+  const auto first_point = answered->begin() + static_cast<std::ptrdiff_t>(voxels);
+  for (auto at = answered->begin(); at != first_point; ++at)
     all.voxels.push_back(*at != 0 ? VoxelState::Shadow : VoxelState::Lit);
-  all.points.assign(first_point, shadowed.end());
+  all.points.assign(first_point, answered->end());
   return all;
+}
+
+Result<std::vector<std::uint8_t>> SlbTechnique::answers(std::span<const golden::Word> results,
+                                                        std::span<const Receiver> points,
+                                                        std::span<const golden::Word> run) const {
+  const auto states = states_of_voxels(run);
+  if (!states) return fail(states.error().message);
+  return shadowed(results, points, *states, 0);
 }
 
 void SlbTechnique::describe(const PartAnswers& golden, std::span<const golden::Word> results,

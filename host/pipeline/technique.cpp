@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "host/pipeline/kept_states.hpp"
 #include "host/pipeline/slb_technique.hpp"
@@ -44,6 +45,15 @@ bool is_directional_only(const std::string& technique) {
 }
 
 }  // namespace
+
+void Technique::ask(golden::StreamWriter&, std::span<const Receiver>) const {
+  throw std::logic_error("this technique answers at voxels alone");
+}
+
+Result<std::vector<std::uint8_t>> Technique::answers(std::span<const golden::Word>, std::span<const Receiver>,
+                                                     std::span<const golden::Word>) const {
+  throw std::logic_error("this technique answers at voxels alone");
+}
 
 golden::HardwareConfig joined_hardware(golden::HardwareConfig a, const golden::HardwareConfig& b) {
   a.en_vpu_offset |= b.en_vpu_offset;

@@ -57,6 +57,13 @@ class Technique {
                              std::span<const Receiver> points) = 0;
   /// The answers among the results of these commands.
   virtual Result<Answers> decode(std::span<const golden::Word> results) const = 0;
+  /// Commands that ask about more points, for hardware that has executed those of write() last. Only if
+  /// answers_points(), else std::logic_error, as the next.
+  virtual void ask(golden::StreamWriter& writer, std::span<const Receiver> points) const;
+  /// Their answers among `results`, 1 for shadow, one a point; `run` are the results that decode() takes.
+  virtual Result<std::vector<std::uint8_t>> answers(std::span<const golden::Word> results,
+                                                    std::span<const Receiver> points,
+                                                    std::span<const golden::Word> run) const;
   /// The method in double precision at the receivers; nothing where there is no such thing.
   virtual std::optional<std::vector<golden::VoxelState>> in_double() const = 0;
   /// Voxels per entry or pixel of the plane in which displacements are measured.

@@ -71,11 +71,12 @@ Result<void> TechniqueJob::write_stream() {
 }
 
 void TechniqueJob::run_golden() {
-  const auto engine =
+  auto engine =
       request_.make_golden ? request_.make_golden(hardware_) : golden::make_golden_engine(hardware_);
   golden_ = stages_.run(report::kGoldenStage, [&] {
     return run_stream(*engine, stream_, ends_, stages_.progress_of(report::kGoldenStage));
   });
+  if (frames_ask()) engine_ = std::move(engine);
 }
 
 /// The first run of a configuration compiles its model; without a compiler or a cache that is the user's to
@@ -91,15 +92,17 @@ Result<void> TechniqueJob::run_rtl() {
   options.seed = request_.seed;
   options.abort = request_.abort;
   options.progress = [this](const sim::Progress& p) {
+    if (frames_) return stages_.progress(report::kFramesStage, 0);
     stages_.progress(report::kRtlStage, static_cast<double>(p.words) / static_cast<double>(stream_.size()));
   };
-  const auto engine = stages_.run("rtl model", [&] { return make_rtl(options); });
+  auto engine = stages_.run("rtl model", [&] { return make_rtl(options); });
   if (!engine) return fail(engine.error().message);
   RtlAnswers answers = stages_.run(report::kRtlStage, [&] {
     return run_compared(**engine, stream_, golden_, request_.seed, report::shell_line(request_.command_line));
   });
   compare_ = std::move(answers.compare);
   cycles_ = std::move(answers.cycles);
+  if (frames_ask() && !compare_.failed()) rtl_ = std::move(*engine);
   return {};
 }
 

@@ -2,6 +2,7 @@
 // One technique over a lit scene: planned, run, compared, measured, drawn.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,10 @@ class TechniqueJob {
   /// Needs scene.look().
   Result<void> run();
   void draw();
+  /// What the request asks for of a moving camera, as files of `folder`, which is made. Needs run(). Answers
+  /// that the hardware keeps are asked for; those that were given already are remembered; no shadow is found
+  /// anew.
+  Result<void> draw_frames(const std::filesystem::path& folder);
   /// All that is known of the run; `shared` are the stages before and between.
   report::RunRecord record(const std::vector<report::StageTime>& shared) const;
 
@@ -63,6 +68,13 @@ class TechniqueJob {
   metrics::ErrorOptions error_options(std::size_t light) const;
   bool answers_points() const { return views_.front().technique->answers_points(); }
   render::Picture picture() const;
+  bool frames_ask() const;
+  Result<std::vector<golden::Word>> ask(std::span<const golden::Word> words);
+  Result<render::Picture> picture_of_points(const render::Camera& camera,
+                                            const render::PictureOptions& options);
+  Result<std::vector<std::vector<golden::VoxelState>>> looked_up(const render::Camera& camera,
+                                                                 const render::PictureOptions& options);
+  Result<render::Picture> frame(const render::Camera& camera, const render::PictureOptions& options);
 
   const RunRequest& request_;
   LitScene& scene_;
@@ -81,6 +93,9 @@ class TechniqueJob {
   std::vector<report::PassCycles> cycles_;
   std::vector<report::LightRecord> lights_;
   report::PictureRecord picture_record_;
+  std::optional<report::FramesRecord> frames_;
+  std::unique_ptr<golden::Engine> engine_;  ///< these two as the run has left them, if frames ask them
+  std::unique_ptr<sim::RtlEngine> rtl_;
   TechniquePictures pictures_;
 };
 

@@ -139,6 +139,7 @@ report::RunRecord TechniqueJob::record(const std::vector<report::StageTime>& sha
   record.compare = compare_;
   record.cycles = cycles_;
   record.picture = picture_record_;
+  record.frames = frames_;
   record.command_words = stream_.size();
   record.result_words = golden_.results.size();
   record.events = golden_.counters.events;

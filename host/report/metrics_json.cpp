@@ -244,6 +244,24 @@ Json stages_json(const RunRecord& record) {
   return all;
 }
 
+/// null without a moving camera.
+Json frames_json(const std::optional<FramesRecord>& frames) {
+  if (!frames) return nullptr;
+  const auto sum = [](const std::map<std::string, std::uint64_t>& events) {
+    return std::accumulate(events.begin(), events.end(), std::uint64_t{0},
+                           [](std::uint64_t total, const auto& event) { return total + event.second; });
+  };
+  const double count = std::max(1.0, static_cast<double>(frames->count));
+  return {{"count", frames->count},
+          {"seconds_per_frame", frames->seconds / count},
+          {"user_seconds_per_frame", frames->user_seconds / count},
+          {"command_words", frames->command_words},
+          {"result_words", frames->result_words},
+          {"questions", Json(frames->questions)},
+          {"shadow_work", sum(frames->shadow_work)},
+          {"shadow_work_events", Json(frames->shadow_work)}};
+}
+
 }  // namespace
 
 std::string verdict(const CompareRecord& compare) {
@@ -280,6 +298,7 @@ Json metrics_json(const RunRecord& record) {
           {"errors", errors_json(record.errors)},
           {"exact_reference", exact_json(record.exact)},
           {"picture", picture_json(record.picture)},
+          {"frames", frames_json(record.frames)},
           {"cycles", cycles},
           {"run_time", run_time_json(record, cycles)},
           {"memory", memory_json(record)},
@@ -298,7 +317,7 @@ Json metrics_json(std::span<const RunRecord> records) {
     const Json one = metrics_json(record);
     Json row = Json::object();
     for (const char* key :
-         {"technique", "hardware", "registers", "lights", "compare", "errors", "picture", "cycles",
+         {"technique", "hardware", "registers", "lights", "compare", "errors", "picture", "frames", "cycles",
           "run_time", "memory", "plane", "topology", "slb", "voxels", "events", "stages"})
       row[key] = one.at(key);
     all["techniques"].push_back(std::move(row));

@@ -20,6 +20,7 @@ inline constexpr std::string_view kRtlStage = "rtl engine";
 inline constexpr std::string_view kDoubleStage = "double reference";
 inline constexpr std::string_view kExactStage = "exact reference";
 inline constexpr std::string_view kShadowMapStage = "shadow maps";
+inline constexpr std::string_view kFramesStage = "frames";
 
 nlohmann::ordered_json metrics_json(const RunRecord& record);
 /// Of several techniques over one scene, at least one: the first one's figures, and in `techniques` those of

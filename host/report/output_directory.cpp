@@ -62,7 +62,10 @@ void move_foreign(const fs::path& old, const fs::path& target) {
 void move_one_by_one(const fs::path& staging, const fs::path& target, const std::string& last) {
   fs::remove(target / last);  // whoever finds it finds a complete set
   for (const fs::path& path : entries(staging)) {
-    if (path.filename() != last) fs::rename(path, target / path.filename());
+    if (path.filename() == last) continue;
+    // A directory takes no place that is not empty.
+    if (fs::is_directory(path)) fs::remove_all(target / path.filename());
+    fs::rename(path, target / path.filename());
   }
   if (fs::exists(staging / last)) fs::rename(staging / last, target / last);
 }

@@ -108,6 +108,10 @@ Json key_figures(const Json& m) {
       time.at("simulation_mcycles_per_second").is_null()
           ? std::string("all stages")
           : fmt::format("simulated at {} Mcycles/s", number(time.at("simulation_mcycles_per_second"), 2))));
+  if (const Json& frames = m.at("frames"); !frames.is_null())
+    tiles.push_back(tile("seconds a frame", number(frames.at("seconds_per_frame"), 2),
+                         fmt::format("{} frames, {} events of shadow work", count(frames.at("count")),
+                                     count(frames.at("shadow_work")))));
   return tiles;
 }
 

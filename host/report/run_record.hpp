@@ -187,6 +187,15 @@ struct LightRecord {
   std::vector<ViewRecord> views;
 };
 
+/// A camera's way around the scene, after the run.
+struct FramesRecord {
+  std::size_t count = 0;
+  double seconds = 0, user_seconds = 0;               ///< all of them, drawing and writing included
+  std::uint64_t command_words = 0, result_words = 0;  ///< that went between host and hardware meanwhile
+  std::map<std::string, std::uint64_t> questions;     ///< events: what was asked of answers that are kept
+  std::map<std::string, std::uint64_t> shadow_work;   ///< all other events; empty if no shadow was found anew
+};
+
 struct RunRecord {
   std::string scene_name;
   std::string scene_source;  ///< the file, as given
@@ -221,6 +230,7 @@ struct RunRecord {
   ErrorsRecord errors;
   ExactRecord exact;
   PictureRecord picture;
+  std::optional<FramesRecord> frames;
   std::vector<StageTime> stages;
   std::uint64_t peak_memory_bytes = 0;  ///< of the host program
 };

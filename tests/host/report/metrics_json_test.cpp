@@ -138,10 +138,23 @@ TEST(Metrics, NothingIsDividedByZero) {
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("nan")));
 }
 
+TEST(Metrics, AMovingCameraIsToldByTheFrameAndItsShadowWorkByTheEvent) {
+  RunRecord record = sample_record();
+  EXPECT_EQ(metrics_json(record)["frames"]["count"], 36);
+  EXPECT_EQ(metrics_json(record)["frames"]["seconds_per_frame"], 0.5);
+  EXPECT_EQ(metrics_json(record)["frames"]["questions"]["SLB_QUERIES"], 6900);
+  EXPECT_EQ(metrics_json(record)["frames"]["shadow_work"], 0);
+  record.frames->shadow_work = {{"SLB_LOOPS", 3}, {"VOXELS_PROJECTED", 4}};
+  EXPECT_EQ(metrics_json(record)["frames"]["shadow_work"], 7);
+  record.frames.reset();
+  EXPECT_TRUE(metrics_json(record)["frames"].is_null());
+}
+
 /// Adds the names of all keys below `json`; free-form tables are named, not entered.
 void collect(const ordered_json& json, std::set<std::string>& keys) {
-  static const std::set<std::string> kFreeForm{"parameters", "registers", "versions",        "events",
-                                               "hardware",   "by_pass",   "first_difference"};
+  static const std::set<std::string> kFreeForm{"parameters",       "registers", "versions",
+                                               "events",           "hardware",  "by_pass",
+                                               "first_difference", "questions", "shadow_work_events"};
   if (json.is_array() && !json.empty()) return collect(json.front(), keys);
   if (!json.is_object()) return;
   for (const auto& [key, value] : json.items()) {

@@ -71,6 +71,7 @@ RunRecord sample_record() {
   r.errors = {1.0, error_record(940), DoubleRecord{error_record(925), 61, 4}, {}};
   r.exact = {181000, 0.0009, 0.002, 3400000};
   r.picture = {960, 720, {1800000, 5200, 4100}, 0.981, 0.0123};
+  r.frames = FramesRecord{36, 18.0, 32.4, 7000, 6936, {{"SLB_QUERIES", 6900}}, {}};
   r.stages = {
       {"load", 0.004, 0.004},          {"surface", 0.031, 0.05},      {"voxelize", 0.021, 0.04},
       {"plan", 0.012, 0.012},          {"golden engine", 0.05, 0.05}, {"rtl model", 0.02, 0.01},
