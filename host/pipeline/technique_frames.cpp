@@ -96,7 +96,12 @@ Result<std::vector<std::vector<golden::VoxelState>>> TechniqueJob::looked_up(
   std::vector<std::vector<golden::VoxelState>> states;
   for (const std::vector<golden::VoxelState>& of_visible : *found) {
     auto& all = states.emplace_back(scene_.voxels.voxels.size(), golden::VoxelState::Empty);
-    for (std::size_t i = 0; i < visible.size(); ++i) all[visible[i]] = of_visible[i];
+    // What no pass was asked about has no state in the hardware: it keeps the host's answer.
+    const std::vector<golden::VoxelState>& unasked = states_[states.size() - 1];
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+      const std::uint32_t v = visible[i];
+      all[v] = of_visible[i] == golden::VoxelState::Empty ? unasked[v] : of_visible[i];
+    }
   }
   return states;
 }
