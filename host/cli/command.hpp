@@ -44,6 +44,7 @@ std::unique_ptr<Command> make_mesh_command();
 std::unique_ptr<Command> make_params_command();
 std::unique_ptr<Command> make_run_command();
 std::unique_ptr<Command> make_slb_command();
+std::unique_ptr<Command> make_sweep_command();
 std::unique_ptr<Command> make_verify_command();
 std::unique_ptr<Command> make_voxelize_command();
 std::unique_ptr<Command> make_wave_command();

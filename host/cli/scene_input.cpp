@@ -28,6 +28,8 @@ std::vector<config::Assignment> from_environment() {
   return config::environment_assignments(entries);
 }
 
+}  // namespace
+
 scene::SceneOptions scene_options(const config::Settings& settings) {
   scene::SceneOptions options;
   options.ground = settings.is_on("ground");
@@ -42,8 +44,6 @@ scene::SceneOptions scene_options(const config::Settings& settings) {
   }
   return options;
 }
-
-}  // namespace
 
 void add_set_option(CLI::App& command, std::vector<std::string>& flags) {
   command.add_option("--set", flags, "Set a parameter; `gnomon params` lists them")

@@ -33,6 +33,9 @@ Result<LoadedScene> load_input(Context& context, const std::filesystem::path& pa
                                const std::vector<std::string>& set_flags,
                                const std::vector<config::Assignment>& presets = {});
 
+/// What the parameters say about a scene file, or a bare OBJ.
+scene::SceneOptions scene_options(const config::Settings& settings);
+
 voxel::Adjacency adjacency_of(const config::Settings& settings);
 
 /// Seconds of CPU that this process has used in user mode.

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// gnomon sweep: many configurations, one table, one report.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/command.hpp"
+#include "host/cli/progress.hpp"
+#include "host/cli/run_settings.hpp"
+#include "host/cli/scene_input.hpp"
+#include "host/cli/versions.hpp"
+#include "host/scene/scene_file.hpp"
+#include "host/sweep/figures.hpp"
+#include "host/sweep/key.hpp"
+#include "host/sweep/page.hpp"
+#include "host/sweep/runner.hpp"
+#include "host/sweep/spec.hpp"
+
+namespace gnomon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kResults = "results.sqlite";
+
+/// "i/n" of --shard.
+struct Shard {
+  std::size_t index = 0;  ///< from 0
+  std::size_t count = 1;
+
+  static Result<Shard> parse(const std::string& text) {
+    if (text.empty()) return Shard{};
+    Shard shard;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, shard.index);
+    const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+    const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+    if (!slash || second.ec != std::errc() || second.ptr != end || shard.index < 1 ||
+        shard.index > shard.count)
+      return fail(fmt::format("--shard {}: expected i/n, 1 <= i <= n", text));
+    --shard.index;
+    return shard;
+  }
+  std::string file() const {
+    return count == 1 ? kResults : fmt::format("shard-{}-of-{}.sqlite", index + 1, count);
+  }
+};
+
+/// The files whose content makes a scene.
+Result<std::vector<fs::path>> files_of(const fs::path& scene) {
+  std::vector<fs::path> files{scene};
+  if (!scene::is_scene_file(scene)) return files;
+  const Result<scene::SceneFile> file = scene::read_scene_file(scene);
+  if (!file) return tl::make_unexpected(file.error());
+  for (const scene::SceneFile::Model& model : file->models) files.push_back(model.path);
+  return files;
+}
+
+Result<std::vector<sweep::Task>> tasks_of(const sweep::Spec& spec) {
+  std::vector<std::vector<config::Assignment>> parameters;
+  std::vector<std::string> hashes;
+  for (const fs::path& scene : spec.scenes) {
+    auto own = scene::scene_parameters(scene);
+    if (!own) return tl::make_unexpected(own.error());
+    parameters.push_back(std::move(*own));
+    const auto files = files_of(scene);
+    if (!files) return tl::make_unexpected(files.error());
+    try {
+      hashes.push_back(sweep::scene_hash(*files));
+    } catch (const std::runtime_error& problem) {
+      return fail(problem.what());
+    }
+  }
+  auto points = sweep::expand(spec, parameters);
+  if (!points) return tl::make_unexpected(points.error());
+  const std::string version = versions().front().second;
+  std::vector<sweep::Task> tasks;
+  for (sweep::Point& point : *points) {
+    std::string key = sweep::point_key(hashes[point.scene], point.settings, version);
+    fs::path scene = spec.scenes[point.scene];
+    tasks.push_back({std::move(point), std::move(key), std::move(scene)});
+  }
+  return tasks;
+}
+
+class SweepCommand : public Command {
+ public:
+  CLI::App* add_to(CLI::App& program) override {
+    CLI::App* command = program.add_subcommand("sweep", "Error against run time over many configurations");
+    command->add_option("SPEC", spec_, "What to sweep (.toml, .json; docs/sweep.md)")->required();
+    command->add_option("-o,--output", output_, "Directory of the results [out/<name of SPEC>]")
+        ->type_name("DIR");
+    command->add_option("-j,--jobs", jobs_, "Points at a time [one a core]")->check(CLI::Range(1U, 1024U));
+    command
+        ->add_option("--engine", engine_,
+                     "golden: the model alone; rtl: the hardware, checked against golden")
+        ->check(CLI::IsMember({"golden", "rtl"}))
+        ->capture_default_str();
+    CLI::Option* shard =
+        command->add_option("--shard", shard_, "Measure every n-th point only, into a file of its own")
+            ->type_name("I/N");
+    command->add_flag("--merge", merge_, "Take the files of all shards into the results, measure nothing")
+        ->excludes(shard);
+    command->add_flag("--retry", retry_, "Measure points again that failed");
+    command->add_flag("--extend", extend_, "Add to the results of another specification");
+    command->add_flag("--json", json_, "Print how many points were measured as JSON");
+    command->footer("Example:\n  gnomon sweep scenes/sweeps/widths.toml -o out/widths");
+    return command;
+  }
+
+  Result<int> run(Context& context) override {
+    const Result<Shard> shard = Shard::parse(shard_);
+    if (!shard) return tl::make_unexpected(shard.error());
+    const Result<sweep::Spec> spec = sweep::read_spec(spec_);
+    if (!spec) return tl::make_unexpected(spec.error());
+    const auto all = tasks_of(*spec);
+    if (!all) return tl::make_unexpected(all.error());
+    if (output_.empty()) output_ = fs::path("out") / fs::path(spec_).stem();
+    std::error_code problem;
+    fs::create_directories(output_, problem);
+    if (problem) return fail(fmt::format("{}: cannot be made: {}", output_.string(), problem.message()));
+    auto store = sweep::Store::open(output_ / shard->file(), record_of(*spec), extend_);
+    if (!store) return tl::make_unexpected(store.error());
+    if (merge_) {
+      if (auto merged = merge(context, *store); !merged) return tl::make_unexpected(merged.error());
+    }
+    return finish(context, *spec, *all, *shard, *store);
+  }
+
+ private:
+  static sweep::SweepRecord record_of(const sweep::Spec& spec) {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return {spec.name, spec.text, versions().front().second,
+            fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))};
+  }
+
+  Result<void> merge(Context& context, sweep::Store& store) const {
+    std::size_t files = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(output_)) {
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with("shard-") || entry.path().extension() != ".sqlite") continue;
+      const auto shard = sweep::Store::open_existing(entry.path());
+      if (!shard) return tl::make_unexpected(shard.error());
+      const auto counts = store.merge(*shard);
+      if (!counts) return fail(fmt::format("{}: error: {}", entry.path().string(), counts.error().message));
+      context.log->info("{}: {} new, {} known", name, counts->added + counts->replaced, counts->known);
+      ++files;
+    }
+    if (files == 0) return fail(fmt::format("{}: error: holds no shards", output_.string()));
+    return {};
+  }
+
+  std::vector<sweep::Task> missing(const std::vector<sweep::Task>& all, const Shard& shard,
+                                   const sweep::Store& store) const {
+    const std::map<std::string, bool> known = store.keys();
+    std::vector<sweep::Task> tasks;
+    for (std::size_t i = shard.index; i < all.size(); i += shard.count) {
+      const auto at = known.find(all[i].key);
+      if (at == known.end() || (retry_ && at->second)) tasks.push_back(all[i]);
+    }
+    return tasks;
+  }
+
+  sweep::RunnerCounts measure(Context& context, const std::vector<sweep::Task>& tasks,
+                              sweep::Store& store) const {
+    ProgressLine line(context.show_progress);
+    sweep::RunnerOptions options;
+    options.jobs = jobs_;
+    options.engine = engine_ == "golden" ? pipeline::EngineKind::Golden : pipeline::EngineKind::Rtl;
+    options.load = [](const fs::path& path, const config::Settings& settings) {
+      return scene::load_scene(path, scene_options(settings));
+    };
+    options.settings = run_settings;
+    options.progress = [&](std::size_t done, std::size_t all) {
+      line.update("points", static_cast<double>(done) / static_cast<double>(all));
+    };
+    options.abort = &context.interruption.flag();
+    return sweep::run_tasks(tasks, store, options);
+  }
+
+  Result<int> finish(Context& context, const sweep::Spec& spec, const std::vector<sweep::Task>& all,
+                     const Shard& shard, sweep::Store& store) const {
+    const std::vector<sweep::Task> tasks = missing(all, shard, store);
+    const auto start = std::chrono::steady_clock::now();
+    const sweep::RunnerCounts counts = merge_ ? sweep::RunnerCounts{} : measure(context, tasks, store);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (counts.interrupted) throw Interrupted();
+    const std::size_t left = tasks.size() - counts.done - counts.failed;
+    if (shard.count == 1) {
+      const std::vector<sweep::Row> rows = store.rows();
+      if (auto done = write("report.html", sweep::sweep_page(spec.name, rows)); !done)
+        return tl::make_unexpected(done.error());
+      if (auto done = write("points.csv", sweep::csv_table(rows)); !done)
+        return tl::make_unexpected(done.error());
+    }
+    print(all.size(), counts, left, seconds, shard);
+    return kDone;
+  }
+
+  void print(std::size_t all, const sweep::RunnerCounts& counts, std::size_t left, double seconds,
+             const Shard& shard) const {
+    const std::size_t measured = counts.done + counts.failed;
+    const double rate = seconds > 0 ? static_cast<double>(measured) / seconds : 0;
+    const fs::path result = output_ / (shard.count == 1 ? "report.html" : shard.file());
+    if (json_) {
+      const nlohmann::ordered_json figures{{"points", all},           {"measured", counts.done},
+                                           {"failed", counts.failed}, {"missing", left},
+                                           {"seconds", seconds},      {"points_per_second", rate},
+                                           {"scenes", counts.scenes}, {"output", result.string()}};
+      fmt::print("{}\n", figures.dump(2));
+      return;
+    }
+    fmt::print("{} of {} points measured in {:.1f} s ({:.1f} a second), {} failed, {} missing\n{}\n",
+               measured, all, seconds, rate, counts.failed, left, result.string());
+  }
+
+  /// Whole or not at all.
+  Result<void> write(const std::string& name, const std::string& content) const {
+    const fs::path path = output_ / name;
+    const fs::path staged = output_ / ("." + name);
+    std::ofstream(staged, std::ios::binary) << content;
+    std::error_code problem;
+    if (fs::file_size(staged, problem) == content.size() && !problem) fs::rename(staged, path, problem);
+    if (problem) return fail(fmt::format("{}: cannot be written: {}", path.string(), problem.message()));
+    return {};
+  }
+
+  fs::path spec_, output_;
+  unsigned jobs_ = 0;
+  std::string engine_ = "golden", shard_;
+  bool merge_ = false, retry_ = false, extend_ = false, json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_sweep_command() {
+  return std::make_unique<SweepCommand>();
+}
+
+}  // namespace gnomon::cli
