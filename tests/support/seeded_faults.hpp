@@ -41,7 +41,6 @@ inline constexpr std::array<std::string_view, 5> kFrameFaults{
 
 /// All of them. A fault may stand in several.
 inline constexpr std::array<std::span<const std::string_view>, 5> kFaultLists{
-    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kProjectionFaults,
-    kFrameFaults};
+    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kProjectionFaults, kFrameFaults};
 
 }  // namespace gnomon::stimulus

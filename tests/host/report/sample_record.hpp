@@ -8,7 +8,7 @@ namespace gnomon::report {
 
 RunRecord sample_record();
 /// The same run on the golden engine alone.
-RunRecord lights_record();    ///< a directional light and a spot
+RunRecord lights_record();  ///< a directional light and a spot
 RunRecord golden_record();
 /// The same scene on the silhouette-line buffer.
 RunRecord slb_record();
