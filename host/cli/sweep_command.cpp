@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // gnomon sweep: many configurations, one table, one report.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <charconv>
 #include <chrono>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "host/cli/command.hpp"
+#include "host/cli/output_files.hpp"
 #include "host/cli/progress.hpp"
 #include "host/cli/run_settings.hpp"
 #include "host/cli/scene_input.hpp"
@@ -133,9 +132,7 @@ class SweepCommand : public Command {
 
  private:
   static sweep::SweepRecord record_of(const sweep::Spec& spec) {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return {spec.name, spec.text, versions().front().second,
-            fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))};
+    return {spec.name, spec.text, versions().front().second, sweep::now()};
   }
 
   Result<void> merge(Context& context, sweep::Store& store) const {
@@ -192,13 +189,22 @@ class SweepCommand : public Command {
     const std::size_t left = tasks.size() - counts.done - counts.failed;
     if (shard.count == 1) {
       const std::vector<sweep::Row> rows = store.rows();
-      if (auto done = write("report.html", sweep::sweep_page(spec.name, rows)); !done)
-        return tl::make_unexpected(done.error());
-      if (auto done = write("points.csv", sweep::csv_table(rows)); !done)
-        return tl::make_unexpected(done.error());
+      if (auto done = write_report(spec.name, rows); !done) return tl::make_unexpected(done.error());
     }
     print(all.size(), counts, left, seconds, shard);
     return kDone;
+  }
+
+  Result<void> write_report(const std::string& name, const std::vector<sweep::Row>& rows) const {
+    OutputFiles files;
+    for (const auto& [file, content] : {std::pair{"report.html", sweep::sweep_page(name, rows)},
+                                        std::pair{"points.csv", sweep::csv_table(rows)}}) {
+      if (auto done =
+              files.add(output_ / file, [&](const fs::path& path) { return write_bytes(path, content); });
+          !done)
+        return done;
+    }
+    return files.commit();
   }
 
   void print(std::size_t all, const sweep::RunnerCounts& counts, std::size_t left, double seconds,
@@ -216,17 +222,6 @@ class SweepCommand : public Command {
     }
     fmt::print("{} of {} points measured in {:.1f} s ({:.1f} a second), {} failed, {} missing\n{}\n",
                measured, all, seconds, rate, counts.failed, left, result.string());
-  }
-
-  /// Whole or not at all.
-  Result<void> write(const std::string& name, const std::string& content) const {
-    const fs::path path = output_ / name;
-    const fs::path staged = output_ / ("." + name);
-    std::ofstream(staged, std::ios::binary) << content;
-    std::error_code problem;
-    if (fs::file_size(staged, problem) == content.size() && !problem) fs::rename(staged, path, problem);
-    if (problem) return fail(fmt::format("{}: cannot be written: {}", path.string(), problem.message()));
-    return {};
   }
 
   fs::path spec_, output_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of page/, compiled in by host/report/embed_assets.cmake.
+// The files of page/, compiled in by cmake/embed_assets.cmake.
 #pragma once
 
 #include <string_view>

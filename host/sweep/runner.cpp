@@ -63,11 +63,6 @@ std::string configuration_json(const config::Settings& settings) {
   return all.dump();
 }
 
-std::string now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-}
-
 Row row_of(const Task& task) {
   Row row;
   row.key = task.key;
@@ -172,6 +167,11 @@ class Runner {
 };
 
 }  // namespace
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
 
 bool of_technique(std::string_view key) {
   return std::ranges::find(kOfTechnique, key) != kOfTechnique.end();

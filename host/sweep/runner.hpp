@@ -41,6 +41,9 @@ struct RunnerCounts {
 /// technique's parameters alone share surfaces, voxels and exact shadows.
 RunnerCounts run_tasks(const std::vector<Task>& tasks, Store& store, const RunnerOptions& options);
 
+/// UTC, ISO 8601.
+std::string now();
+
 /// True for parameters that a technique alone looks at: what is not shared between points.
 bool of_technique(std::string_view key);
 

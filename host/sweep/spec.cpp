@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
+#include "sim/content_hash.hpp"
 
 namespace gnomon::sweep {
 namespace {
@@ -151,11 +150,6 @@ Result<void> read_parts(const Document& document, Spec& spec) {
   return {};
 }
 
-std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 Result<Spec> read_spec(const std::filesystem::path& path) {
@@ -172,7 +166,7 @@ Result<Spec> read_spec(const std::filesystem::path& path) {
     if (!name.is_string()) return document->refuse(Pointer("/name"), "expected a text");
     spec.name = name.get<std::string>();
   }
-  spec.text = content_of(path);
+  spec.text = sim::read_file(path);
   if (auto done = read_parts(*document, spec); !done) return tl::make_unexpected(done.error());
   return spec;
 }

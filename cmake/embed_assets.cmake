@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Turns the files ASSETS of FOLDER into the C++ source OUTPUT. HEADER declares what it defines in NAMESPACE: for
 # "report.css" page_css(), for "uplot/uPlot.min.css" page_uPlot_min_css().
-if(NOT DEFINED HEADER)
-  set(HEADER host/report/page_assets.hpp)
-  set(NAMESPACE gnomon::report)
-endif()
 set(source "// Made by embed_assets.cmake.\n#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n")
 foreach(asset IN LISTS ASSETS)
   # Bytes as hexadecimal: no character needs escaping, no literal grows too long.
