@@ -7,27 +7,28 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "host/config/parameter.hpp"
+#include "host/sweep/front.hpp"
 
 namespace gnomon::sweep {
 namespace {
 
-constexpr std::array<Figure, 11> kPlotted{{
+constexpr std::array<Figure, 9> kPlotted{{
     {"errors.fixed.boundary_displacement", "border displaced by, plane entries"},
     {"errors.fixed.border_voxels", "border displaced by, voxels"},
     {"errors.fixed.all.share", "mislabelled voxels, share"},
     {"errors.fixed.unambiguous.share", "mislabelled unambiguous voxels, share"},
     {"run_time.cycles", "cycles"},
     {"memory.hardware_bits", "memory, bits"},
-    {"seconds.golden", "golden engine, CPU seconds"},
-    {"seconds.rtl", "rtl engine, CPU seconds"},
-    {"seconds.host", "host, CPU seconds"},
-    {"area.cells", "logic cells (estimate, one FPGA family)"},
-    {"command.words", "command words"},
+    {"seconds.golden", "golden engine, wall seconds"},
+    {"seconds.rtl", "rtl engine, wall seconds"},
+    {"seconds.host", "host, wall seconds"},
 }};
 
 std::optional<double> number(const std::string& text) {
@@ -53,6 +54,16 @@ std::string line_of(const std::vector<std::string>& cells) {
   }
   line.push_back('\n');
   return line;
+}
+
+/// Error and memory; not a number where the row has no such figure.
+std::vector<double> objectives_of(const Row& row) {
+  std::vector<double> values;
+  for (const char* name : {"errors.fixed.border_voxels", "memory.hardware_bits"}) {
+    const auto figure = row.figures.find(name);
+    values.push_back(figure == row.figures.end() ? std::numeric_limits<double>::quiet_NaN() : figure->second);
+  }
+  return values;
 }
 
 }  // namespace
@@ -92,20 +103,35 @@ std::vector<Varied> varied_parameters(const std::vector<Row>& rows) {
   return varied;
 }
 
+std::vector<bool> on_front(const std::vector<Row>& rows) {
+  std::map<std::string, std::vector<std::size_t>> scenes;
+  for (std::size_t i = 0; i < rows.size(); ++i) scenes[rows[i].scene].push_back(i);
+  std::vector<bool> on(rows.size(), false);
+  for (const auto& [scene, members] : scenes) {
+    std::vector<std::vector<double>> objectives;
+    for (const std::size_t i : members) objectives.push_back(objectives_of(rows[i]));
+    const std::vector<bool> front = pareto_front(objectives);
+    for (std::size_t k = 0; k < members.size(); ++k) on[members[k]] = front[k];
+  }
+  return on;
+}
+
 std::string csv_table(const std::vector<Row>& rows) {
   const std::vector<Varied> varied = varied_parameters(rows);
   std::set<std::string> figures;
   for (const Row& row : rows) {
     for (const auto& [name, value] : row.figures) figures.insert(name);
   }
-  std::vector<std::string> header{"scene"};
+  const std::vector<bool> front = on_front(rows);
+  std::vector<std::string> header{"scene", "front"};
   for (const Varied& parameter : varied) header.push_back(parameter.key);
   header.insert(header.end(), figures.begin(), figures.end());
   header.emplace_back("command");
   std::string text = line_of(header);
-  for (const Row& row : rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
     if (row.failed()) continue;
-    std::vector<std::string> cells{row.scene};
+    std::vector<std::string> cells{row.scene, front[i] ? "1" : "0"};
     for (const Varied& parameter : varied) cells.push_back(parameter_text(row, parameter.key));
     for (const std::string& name : figures) {
       const auto figure = row.figures.find(name);

@@ -31,7 +31,11 @@ std::vector<Varied> varied_parameters(const std::vector<Row>& rows);
 /// The value of a parameter in a row's configuration, as it would be written after --set.
 std::string parameter_text(const Row& row, const std::string& key);
 
-/// One line a done point: scene, every varied parameter, every figure that some point has, the command.
+/// For each row, whether it is on its scene's front of border displacement (voxels) and memory bits.
+std::vector<bool> on_front(const std::vector<Row>& rows);
+
+/// One line a done point: scene, 1 for the front, every varied parameter, every figure that some point has,
+/// the command.
 std::string csv_table(const std::vector<Row>& rows);
 
 }  // namespace gnomon::sweep

@@ -23,7 +23,7 @@ Row point(int f, double displacement) {
           "cup.toml --set frac_bits=" + std::to_string(f),
           "",
           "2026-01-01T00:00:00Z",
-          {{"errors.fixed.boundary_displacement", displacement}, {"memory.hardware_bits", 1000.0 * f}},
+          {{"errors.fixed.border_voxels", displacement}, {"memory.hardware_bits", 1000.0 * f}},
           {}};
 }
 
@@ -58,14 +58,20 @@ TEST(Csv, HasALineForEachDonePoint) {
   const std::string text = csv_table(rows());
   EXPECT_EQ(std::ranges::count(text, '\n'), 4);
   EXPECT_THAT(text,
-              HasSubstr("scene,frac_bits,errors.fixed.boundary_displacement,memory.hardware_bits,command\n"));
-  EXPECT_THAT(text, HasSubstr("cup.toml,3,0.08,3000,gnomon run cup.toml --set frac_bits=3\n"));
+              HasSubstr("scene,front,frac_bits,errors.fixed.border_voxels,memory.hardware_bits,command\n"));
+  EXPECT_THAT(text, HasSubstr("cup.toml,1,3,0.08,3000,gnomon run cup.toml --set frac_bits=3\n"));
+}
+
+TEST(OnFront, IsEachScenesOwn) {
+  std::vector<Row> three{point(3, 0.08), point(7, 0.09), point(7, 0.09)};
+  three[2].scene = "star.toml";
+  EXPECT_THAT(on_front(three), ElementsAre(true, false, true));
 }
 
 TEST(Csv, QuotesWhatNeedsIt) {
   std::vector<Row> one{point(3, 0.5), point(4, 0.5)};
   one[0].scene = "a, \"b\".obj";
-  EXPECT_THAT(csv_table(one), HasSubstr("\"a, \"\"b\"\".obj\",3"));
+  EXPECT_THAT(csv_table(one), HasSubstr("\"a, \"\"b\"\".obj\",1,3"));
 }
 
 TEST(Page, HoldsThePointsAndLoadsNothing) {
