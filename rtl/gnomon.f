@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source files of gnomon_top in reading order, relative to this file (verilator -F rtl/gnomon.f).
+// Source files of gnomon_core in reading order, relative to this file (verilator -F rtl/gnomon.f).
 +incdir+common
 gnomon_pkg.sv
 mutations_pkg.sv
@@ -98,4 +98,4 @@ stream/command_decoder.sv
 slb_counters.sv
 event_counters.sv
 counters.sv
-gnomon_top.sv
+gnomon_core.sv

@@ -400,7 +400,7 @@ package gnomon_pkg;
   } perspective_events_t;
   localparam int unsigned PERSPECTIVE_COUNTER_COUNT = 7;
 
-  // Indices of the counter read port of gnomon_top.
+  // Indices of the counter read port of gnomon_core.
   localparam logic [6:0] COUNTER_COMMANDS              = 7'd0;
   localparam logic [6:0] COUNTER_ERRORS                = 7'd1;
   localparam logic [6:0] COUNTER_VOXELS_PROJECTED      = 7'd2;

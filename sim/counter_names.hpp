@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which counter of gnomon_top has which name (docs/command-stream.md).
+// Which counter of gnomon_core has which name (docs/command-stream.md).
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@ namespace {
 
 using Parameters = std::vector<std::pair<const char*, int>>;
 
-/// Every parameter of gnomon_top with its value. Those of a unit left out are left out too, so that hardware
+/// Every parameter of gnomon_core with its value. Those of a unit left out are left out too, so that hardware
 /// that is the same has the same arguments.
 Parameters parameters(const golden::HardwareConfig& config) {
   Parameters list{{"VOXEL_BITS", config.voxel_bits},
@@ -77,8 +77,8 @@ std::string describe(const ModelSpec& spec) {
 std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
   // Waveforms are in ns. What is x in SystemVerilog is random here, so that a result depending on it shows
   // up.
-  std::vector<std::string> arguments{"--cc",        "--top-module", "gnomon_top",           "--prefix",
-                                     "Vgnomon_top", "-O3",          "--x-assign",           "unique",
+  std::vector<std::string> arguments{"--cc",        "--top-module", "gnomon_core",           "--prefix",
+                                     "Vgnomon_core", "-O3",          "--x-assign",           "unique",
                                      "--x-initial", "unique",       "--timescale-override", "1ns/1ns"};
   for (const auto& [name, value] : parameters(spec.config)) {
     const bool one_bit = std::string_view(name).starts_with("EN_");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drives one Verilated gnomon_top behind model_abi.h. The cache compiles this file together with what
+// Drives one Verilated gnomon_core behind model_abi.h. The cache compiles this file together with what
 // Verilator wrote.
 #include <cstdarg>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "Vgnomon_top.h"
+#include "Vgnomon_core.h"
 #include "model_abi.h"
 #include "verilated.h"
 #if GNOMON_SAVABLE
@@ -90,7 +90,7 @@ class Model {
 #if VM_TRACE
     context_.traceEverOn(true);
 #endif
-    top_ = std::make_unique<Vgnomon_top>(&context_, "gnomon_top");
+    top_ = std::make_unique<Vgnomon_core>(&context_, "gnomon_core");
     reset();
   }
   ~Model() {
@@ -234,7 +234,7 @@ class Model {
 
   template <bool kTrace>
   int run_loop(GnomonModelRun& io) {
-    Vgnomon_top& top = *top_;
+    Vgnomon_core& top = *top_;
     const uint64_t last = io.max_cycles;
     for (uint64_t passed = 0;; ++passed) {
       const bool all_taken = io.words_taken == io.word_count;
@@ -273,7 +273,7 @@ class Model {
 
   VerilatedContext context_;
   std::string messages_;
-  std::unique_ptr<Vgnomon_top> top_;
+  std::unique_ptr<Vgnomon_core> top_;
 #if VM_TRACE
   std::unique_ptr<VerilatedFstC> trace_;
   uint64_t trace_from_ = 0, trace_to_ = 0;

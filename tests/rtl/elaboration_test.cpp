@@ -64,7 +64,7 @@ Parameters parameters(const HardwareConfig& config) {
 
 Outcome verilator(const HardwareConfig& config, const std::string& more = {}) {
   std::string command =
-      VERILATOR_PROGRAM " --lint-only -Wall --assert --top-module gnomon_top -F " RTL_DIR "/gnomon.f";
+      VERILATOR_PROGRAM " --lint-only -Wall --assert --top-module gnomon_core -F " RTL_DIR "/gnomon.f";
   for (const auto& [name, value] : parameters(config)) {
     command += std::string(" -G") + name + "=" + (std::string_view(name).starts_with("EN_") ? "1\\'b" : "") +
                std::to_string(value);
@@ -83,9 +83,9 @@ Outcome yosys(const HardwareConfig& config, const std::string& sources, const st
   return run(YOSYS_PROGRAM " -q -p '" + script + "; proc; check -assert'");
 }
 Outcome yosys(const HardwareConfig& config) {
-  return yosys(config, RTL_SOURCES, "gnomon_top");
+  return yosys(config, RTL_SOURCES, "gnomon_core");
 }
-/// The check by itself, which is quicker; that gnomon_top hands it every parameter is seen in Verilator.
+/// The check by itself, which is quicker; that gnomon_core hands it every parameter is seen in Verilator.
 Outcome yosys_check(const HardwareConfig& config) {
   return yosys(config, RTL_DIR "/parameter_check.sv", "parameter_check");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs command words through a Verilated gnomon_top, holding its ports back at random.
+// Runs command words through a Verilated gnomon_core, holding its ports back at random.
 #pragma once
 
 #include <verilated.h>

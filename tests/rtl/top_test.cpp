@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// gnomon_top against the golden engine: builds with a fast plane, with a slow and stalling one, and without
+// gnomon_core against the golden engine: builds with a fast plane, with a slow and stalling one, and without
 // the resolve pass; then its throughput and its account of cycles. Co-simulation at length is in tests/sim.
 #include <gtest/gtest.h>
 

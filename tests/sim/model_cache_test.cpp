@@ -78,7 +78,7 @@ TEST_F(ModelCacheTest, EverythingThatMattersIsPartOfTheKey) {
                                 cache.entry({.plain_bit_operations = true}),
                                 cache.entry({.quick_build = true}),
                                 cache.entry({.defines = {"TINY_HANGS"}})};
-  std::ofstream(rtl.path() / "gnomon_top.sv", std::ios::app) << "// changed\n";
+  std::ofstream(rtl.path() / "gnomon_core.sv", std::ios::app) << "// changed\n";
   entries.push_back(cache.entry({}));
   std::ofstream(rtl.path() / "included.svh") << "\n";
   entries.push_back(cache.entry({}));
@@ -173,8 +173,8 @@ TEST_F(ModelCacheTest, RefusedParametersAreNamedAndLeaveNothing) {
 
 TEST_F(ModelCacheTest, RtlThatDoesNotCompileIsNamed) {
   const TemporaryFolder rtl;
-  write_file(rtl.path() / "gnomon.f", "gnomon_top.sv\n");
-  write_file(rtl.path() / "gnomon_top.sv", "module gnomon_top(input logic clk_i)\nendmodule\n");
+  write_file(rtl.path() / "gnomon.f", "gnomon_core.sv\n");
+  write_file(rtl.path() / "gnomon_core.sv", "module gnomon_core(input logic clk_i)\nendmodule\n");
   Toolchain broken = tools();
   broken.rtl_dir = rtl.path();
   ModelCache cache(broken);
@@ -182,7 +182,7 @@ TEST_F(ModelCacheTest, RtlThatDoesNotCompileIsNamed) {
     cache.load({});
     FAIL() << "a syntax error was accepted";
   } catch (const ModelBuildError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("gnomon_top.sv:2"));
+    EXPECT_THAT(error.what(), HasSubstr("gnomon_core.sv:2"));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// gnomon_top with the perspective projection and both modes against golden: every word and counter, ports
+// gnomon_core with the perspective projection and both modes against golden: every word and counter, ports
 // held back, a reset in the middle; cycles.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// gnomon_top with the silhouette-line buffer against the golden engine: answers, every entry of the plane,
+// gnomon_core with the silhouette-line buffer against the golden engine: answers, every entry of the plane,
 // errors, sticky flags and event counters, with and without waiting on the ports, and after a reset in the
 // middle.
 #include <gtest/gtest.h>

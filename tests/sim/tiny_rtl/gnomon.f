@@ -1,1 +1,1 @@
-gnomon_top.sv
+gnomon_core.sv

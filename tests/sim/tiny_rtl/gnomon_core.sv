@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in with the ports of gnomon_top that compiles in a second: NOP, FENCE and READ_PLANE alone, and faults by define.
+// A stand-in with the ports of gnomon_core that compiles in a second: NOP, FENCE and READ_PLANE alone, and faults by define.
 // It has no projection; READ_PLANE returns words of a memory that nothing writes, so they show the random power-up content.
 
-module gnomon_top #(
+module gnomon_core #(
   parameter int unsigned VOXEL_BITS = 8,
   parameter int unsigned VOXEL_FRAC_BITS = 2,
   parameter int unsigned NORMAL_BITS = 9,

@@ -4,7 +4,7 @@
 
 `include "assertions.svh"
 
-module gnomon_top #(
+module gnomon_core #(
   parameter int unsigned VOXEL_BITS       = 8,
   parameter int unsigned VOXEL_FRAC_BITS  = 2,
   parameter int unsigned NORMAL_BITS      = 9,
