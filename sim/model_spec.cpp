@@ -77,9 +77,9 @@ std::string describe(const ModelSpec& spec) {
 std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
   // Waveforms are in ns. What is x in SystemVerilog is random here, so that a result depending on it shows
   // up.
-  std::vector<std::string> arguments{"--cc",        "--top-module", "gnomon_core",           "--prefix",
+  std::vector<std::string> arguments{"--cc",         "--top-module", "gnomon_core",          "--prefix",
                                      "Vgnomon_core", "-O3",          "--x-assign",           "unique",
-                                     "--x-initial", "unique",       "--timescale-override", "1ns/1ns"};
+                                     "--x-initial",  "unique",       "--timescale-override", "1ns/1ns"};
   for (const auto& [name, value] : parameters(spec.config)) {
     const bool one_bit = std::string_view(name).starts_with("EN_");
     arguments.push_back(fmt::format("-G{}={}{}", name, one_bit ? "1'b" : "", value));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// gnomon_core with topology mode against the golden engine: all commands of the projection unit mixed, errors,
-// sticky flags and counters, waiting on all ports, a reset in the middle.
+// gnomon_core with topology mode against the golden engine: all commands of the projection unit mixed,
+// errors, sticky flags and counters, waiting on all ports, a reset in the middle.
 #include <gtest/gtest.h>
 
 #include <gnomon/golden/codec.hpp>
