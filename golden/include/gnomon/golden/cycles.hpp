@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cycles that the hardware would take for a command stream, predicted at the golden engine's speed
+// (docs/cycle-model.md). No result word depends on anything here.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <gnomon/golden/config.hpp>
+#include <gnomon/golden/engine.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace gnomon::golden {
+
+/// What cycles depend on beside HardwareConfig. Names and meanings are those of the SystemVerilog parameters.
+struct HardwareTiming {
+  int memory_latency = 1;  ///< MEM_LATENCY, cycles of a read of the on-chip memories, 1..64
+  int slb_dividers = 2;    ///< SLB_DIVIDERS, 1..3
+
+  /// Nothing if the values are legal; else one line naming the parameter, its value and the range.
+  std::optional<std::string> check() const;
+  bool operator==(const HardwareTiming&) const = default;
+};
+
+/// Whose work a cycle is, and what became of it (docs/command-stream.md, "Counters").
+enum class Pass : std::uint8_t { Idle, Control, Clear, Project, Resolve, Read, Draw, Fill, Cover, Query };
+enum class Cause : std::uint8_t { Busy, InputStarved, OutputBlocked, MemoryWait, Hazard, Idle };
+inline constexpr std::size_t kPasses = 10, kCauses = 6;
+
+/// Cycles by pass and cause.
+class CycleTable {
+ public:
+  std::uint64_t& at(Pass pass, Cause cause) { return cells_[index(pass, cause)]; }
+  std::uint64_t at(Pass pass, Cause cause) const { return cells_[index(pass, cause)]; }
+  std::uint64_t of(Pass pass) const;  ///< all causes
+  std::uint64_t total() const;
+  /// "cycles.<PASS>.<CAUSE>", all 60: the keys of Counters::cycles.
+  std::map<std::string, std::uint64_t> named() const;
+  bool operator==(const CycleTable&) const = default;
+
+ private:
+  static constexpr std::size_t index(Pass pass, Cause cause) {
+    return static_cast<std::size_t>(pass) * kCauses + static_cast<std::size_t>(cause);
+  }
+  std::array<std::uint64_t, kPasses * kCauses> cells_{};
+};
+
+/// The golden engine, which also predicts: counters().cycles holds the 60 cells of everything submitted so
+/// far, to the end of its drain, with no port ever held back and the next word always there; IDLE is 0.
+/// Results and events are those of make_golden_engine. `config` and `timing` must pass check(); throws
+/// std::invalid_argument otherwise.
+std::unique_ptr<Engine> make_timed_golden_engine(const HardwareConfig& config, const HardwareTiming& timing);
+
+/// Executes the stream and gives the cycles alone.
+CycleTable predict_cycles(const HardwareConfig& config, const HardwareTiming& timing,
+                          std::span<const Word> words);
+
+}  // namespace gnomon::golden
