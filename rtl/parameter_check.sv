@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stops elaboration, with a message, where a combination of parameters is illegal (docs/vpu.md, docs/vpu-topology.md,
-// docs/frame-buffer.md and docs/slb.md, "Parameters"); those of a unit that can be left out only where it is built.
+// docs/frame-buffer.md, docs/slb.md and docs/cache.md, "Parameters"); those of a unit that can be left out only where it is built.
 
 module parameter_check #(
   parameter int unsigned VOXEL_BITS       = 8,
@@ -26,7 +26,8 @@ module parameter_check #(
   parameter int unsigned SLB_ROUNDING     = 0,
   parameter int unsigned SLB_DIVIDERS     = 2,
   parameter int unsigned MEM_LATENCY      = 1,
-  parameter int unsigned MEM_STALL_SEED   = 0
+  parameter int unsigned MEM_STALL_SEED   = 0,
+  parameter int unsigned CACHE_LOG2       = 0
 );
 
   localparam int unsigned P = VOXEL_BITS + VOXEL_FRAC_BITS;
@@ -53,6 +54,8 @@ module parameter_check #(
     $error("MEM_LATENCY is out of range 1..64");
   if (MEM_STALL_SEED > 65535)
     $error("MEM_STALL_SEED is out of range 0..65535");
+  if (CACHE_LOG2 != 0 && (CACHE_LOG2 < 12 || CACHE_LOG2 > 16))
+    $error("CACHE_LOG2 is out of range 12..16 (0: planes on chip)");
 
   if (EN_VPU_TOPOLOGY) begin : gen_topology
     if (SUB_BITS < 2 || SUB_BITS > 8)
