@@ -3,16 +3,18 @@
 // first field of a packed structure.
 
 module event_counters #(
-  parameter int unsigned COUNT = 1
+  parameter int unsigned COUNT       = 1,
+  parameter bit          EN_SNAPSHOT = 1'b0   // the last snapshot is read instead of the moment
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
+  input  logic             snapshot_i,
   input  logic [COUNT-1:0] events_i,
   input  logic [6:0]       number_i,
   output logic [63:0]      value_o    // 0 where there is no such counter
 );
 
-  logic [COUNT*64-1:0] values_q;  // the first in the low bits
+  logic [COUNT*64-1:0] values_q, shown;  // the first in the low bits
   for (genvar i = 0; i < COUNT; i++) begin : gen_counters
     always_ff @(posedge clk_i) begin
       if (!rst_ni)                  values_q[i*64+:64] <= '0;
@@ -20,10 +22,14 @@ module event_counters #(
     end
   end
 
+  counter_snapshot #(.WIDTH(COUNT * 64), .EN_SNAPSHOT(EN_SNAPSHOT)) u_snapshot (
+    .clk_i, .rst_ni, .snapshot_i, .values_i(values_q), .shown_o(shown)
+  );
+
   logic       exists;
   logic [6:0] number;
   assign exists  = number_i < 7'(COUNT);
   assign number  = exists ? number_i : '0;
-  assign value_o = exists ? values_q[32'(number)*64+:64] : 64'd0;
+  assign value_o = exists ? shown[32'(number)*64+:64] : 64'd0;
 
 endmodule

@@ -95,7 +95,9 @@ stream/slb_sequence.sv
 stream/cycle_account.sv
 stream/plane_reader.sv
 stream/command_decoder.sv
+counter_snapshot.sv
 slb_counters.sv
 event_counters.sv
+cycle_counters.sv
 counters.sv
 gnomon_core.sv

@@ -33,6 +33,7 @@ module gnomon_core #(
   parameter int unsigned SLB_ROUNDING     = 0,
   parameter int unsigned SLB_DIVIDERS     = 2,
   parameter int unsigned MEM_LATENCY      = 1,      // cycles of a read of a plane's RAM
+  parameter bit          EN_BUS           = 1'b0,   // inside gnomon_top: heeds the inputs from around it
   parameter int unsigned MEM_STALL_SEED   = 0       // test aid: other than 0 (1..65535), the planes' ports stall at random
 ) (
   input  logic        clk_i,
@@ -52,7 +53,15 @@ module gnomon_core #(
   output logic [63:0] counter_value_o,
   // Nothing under way and nothing buffered: without another word nothing more will happen. Also between the items of a
   // command.
-  output logic        idle_o
+  output logic        idle_o,
+  // To and from what is around the core (docs/system.md). Without EN_BUS the inputs are ignored, and counters show
+  // the moment instead of the last snapshot.
+  input  logic        counter_snapshot_i,   // copies all counters
+  input  logic        word_awaited_i,       // the next command word is on its way from memory
+  input  logic        result_awaited_i,     // results wait for memory
+  output logic        in_command_o,         // the next command word is an item
+  output logic        error_given_o,        // an error result is given
+  output gnomon_pkg::sticky_t raised_o      // sticky flags raised in this cycle
 );
 
   parameter_check #(
@@ -146,9 +155,12 @@ module gnomon_core #(
     .list_overflow_i(topology_events.node_dropped), .quad_off_plane_i(topology_clipped), .behind_light_i(behind_light),
     .line_overflow_i(slb_events.chain_dropped || slb_events.chain_reduced),
     .object_overflow_i(slb_events.group_evicted), .winding_saturated_i(slb_events.winding_saturated), .sticky_o(sticky),
-    .output_blocked_i(result_valid && !result_ready), .pass_o(pass), .cause_o(cause),
-    .command_o(events.command), .error_o(events.error), .quiet_o(quiet)
+    .raised_o,
+    .output_blocked_i(result_valid && !result_ready), .word_awaited_i(EN_BUS && word_awaited_i),
+    .result_awaited_i(EN_BUS && result_awaited_i), .pass_o(pass), .cause_o(cause),
+    .command_o(events.command), .error_o(events.error), .quiet_o(quiet), .in_command_o
   );
+  assign error_given_o = events.error;
   assign idle_o = quiet && !res_valid_o;
 
   // An item goes on where the frame buffer has room for its place.
@@ -414,9 +426,10 @@ module gnomon_core #(
   assign behind_light = perspective_events.project_behind || perspective_events.quad_behind ||
                         perspective_events.quad_straddling;
   counters #(.EN_PERSPECTIVE(EN_PERSPECTIVE), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
-    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB)
+    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB), .EN_SNAPSHOT(EN_BUS)
   ) u_counters (
-    .clk_i, .rst_ni, .events_i(events), .perspective_events_i(perspective_events), .topology_events_i(topology_events),
+    .clk_i, .rst_ni, .snapshot_i(counter_snapshot_i), .events_i(events),
+    .perspective_events_i(perspective_events), .topology_events_i(topology_events),
     .frame_events_i(frame_events), .slb_events_i(slb_events),
     .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
   );

@@ -141,6 +141,7 @@ package gnomon_pkg;
     logic       off_plane;
     logic       error_seen;
   } sticky_t;
+  localparam int unsigned STICKY_BITS = 11;
 
   typedef struct packed {
     logic [7:0]  code;
@@ -401,17 +402,7 @@ package gnomon_pkg;
   localparam int unsigned PERSPECTIVE_COUNTER_COUNT = 7;
 
   // Indices of the counter read port of gnomon_core.
-  localparam logic [6:0] COUNTER_COMMANDS              = 7'd0;
-  localparam logic [6:0] COUNTER_ERRORS                = 7'd1;
-  localparam logic [6:0] COUNTER_VOXELS_PROJECTED      = 7'd2;
-  localparam logic [6:0] COUNTER_PROJECT_OFF_PLANE     = 7'd3;
-  localparam logic [6:0] COUNTER_PROJECT_SATURATED     = 7'd4;
-  localparam logic [6:0] COUNTER_PLANE_WRITES          = 7'd5;
-  localparam logic [6:0] COUNTER_VOXELS_RESOLVED       = 7'd6;
-  localparam logic [6:0] COUNTER_RESOLVED_FACING_AWAY  = 7'd7;
-  localparam logic [6:0] COUNTER_RESOLVED_UNCERTAIN    = 7'd8;
-  localparam logic [6:0] COUNTER_RESOLVED_OFFSET_EMPTY = 7'd9;
-  localparam logic [6:0] COUNTER_RESOLVED_SHADOW       = 7'd10;
+  localparam int unsigned EVENT_COUNTER_COUNT = 11;  // indices 0.. in the order of events_t
   localparam logic [6:0] COUNTER_STICKY                = 7'd11;
   localparam logic [6:0] COUNTER_SLB                   = 7'd16;  // + number in the order of slb_events_t
   localparam logic [6:0] COUNTER_TOPOLOGY              = 7'd40;  // + number in the order of topology_events_t

@@ -77,13 +77,17 @@ module command_decoder #(
   input  logic                                       object_overflow_i,
   input  logic                                       winding_saturated_i,
   output gnomon_pkg::sticky_t                        sticky_o,
+  output gnomon_pkg::sticky_t                        raised_o,          // flags raised in this cycle, set before or not
   // Accounting.
   input  logic                                       output_blocked_i,  // a result was offered and not taken
+  input  logic                                       word_awaited_i,    // the next word is on its way from memory
+  input  logic                                       result_awaited_i,  // results wait for memory
   output logic [3:0]                                 pass_o,
   output logic [2:0]                                 cause_o,
   output logic                                       command_o,         // event: header taken
   output logic                                       error_o,           // event: error result given
-  output logic                                       quiet_o            // nothing happens before another word comes
+  output logic                                       quiet_o,           // nothing happens before another word comes
+  output logic                                       in_command_o       // the next word is an item
 );
 
   typedef enum logic [3:0] {
@@ -247,20 +251,25 @@ module command_decoder #(
     end else if (give && !is_error && (command_q.flags & gnomon_pkg::FENCE_CLEAR_STICKY) != '0) begin
       sticky_q <= '0;
     end else begin
-      if (error_o)     sticky_q.error_seen      <= 1'b1;
-      if (off_plane_i) sticky_q.off_plane       <= !mutations_pkg::LOSE_STICKY;
-      if (saturated_i) sticky_q.depth_saturated <= 1'b1;
-      if (list_overflow_i)     sticky_q.list_overflow     <= 1'b1;
-      if (quad_off_plane_i)    sticky_q.quad_off_plane    <= 1'b1;
-      if (behind_light_i)      sticky_q.behind_light      <= 1'b1;
-      if (line_overflow_i)     sticky_q.line_overflow     <= 1'b1;
-      if (object_overflow_i)   sticky_q.object_overflow   <= 1'b1;
-      if (winding_saturated_i) sticky_q.winding_saturated <= 1'b1;
+      sticky_q <= sticky_q | raised_o;
     end
+  end
+  always_comb begin
+    raised_o                   = '0;
+    raised_o.error_seen        = error_o;
+    raised_o.off_plane         = off_plane_i && !mutations_pkg::LOSE_STICKY;
+    raised_o.depth_saturated   = saturated_i;
+    raised_o.list_overflow     = list_overflow_i;
+    raised_o.quad_off_plane    = quad_off_plane_i;
+    raised_o.behind_light      = behind_light_i;
+    raised_o.line_overflow     = line_overflow_i;
+    raised_o.object_overflow   = object_overflow_i;
+    raised_o.winding_saturated = winding_saturated_i;
   end
   assign sticky_o  = sticky_q;
   assign command_o = take_header;
   assign error_o   = give && is_error;
+  assign in_command_o = state_q == StItems || state_q == StSkip;
   assign quiet_o   = !word_valid_i && drained && (state_q == StHeader || state_q == StItems || state_q == StSkip);
 
   // ---- Accounting ----
@@ -290,7 +299,7 @@ module command_decoder #(
   cycle_account u_account (
     .idle_i(state_q == StHeader && !take_header && drained), .error_i(take_header ? !good : is_error),
     .op_i(take_header ? header.op : command_q.op), .stepped_i(stepped), .output_blocked_i,
-    .memory_wait_i(!starved), .word_valid_i, .pass_o, .cause_o
+    .memory_wait_i(!starved), .word_valid_i, .word_awaited_i, .result_awaited_i, .pass_o, .cause_o
   );
 
   `GNOMON_ASSERT_STREAM(a_item_stable, item_valid_o, item_ready_i, {word_i, item_resolve_o, item_two_sided_o})

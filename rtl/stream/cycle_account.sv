@@ -9,6 +9,8 @@ module cycle_account (
   input  logic       output_blocked_i,  // a result was offered and not taken
   input  logic       memory_wait_i,     // neither of both, and it waits for a plane
   input  logic       word_valid_i,
+  input  logic       word_awaited_i,    // no word, for it is on its way from memory
+  input  logic       result_awaited_i,  // a result was not taken, for earlier ones are on their way to memory
   output logic [3:0] pass_o,
   output logic [2:0] cause_o
 );
@@ -39,9 +41,10 @@ module cycle_account (
   always_comb begin
     if (stepped_i)                        cause_o = gnomon_pkg::CAUSE_BUSY;
     else if (idle_i)                      cause_o = gnomon_pkg::CAUSE_IDLE;
-    else if (output_blocked_i)            cause_o = gnomon_pkg::CAUSE_OUTPUT_BLOCKED;
+    else if (output_blocked_i)            cause_o = result_awaited_i ? gnomon_pkg::CAUSE_MEMORY_WAIT : gnomon_pkg::CAUSE_OUTPUT_BLOCKED;
     else if (memory_wait_i)               cause_o = gnomon_pkg::CAUSE_MEMORY_WAIT;
     else if (word_valid_i)                cause_o = gnomon_pkg::CAUSE_HAZARD;
+    else if (word_awaited_i)              cause_o = gnomon_pkg::CAUSE_MEMORY_WAIT;
     else                                  cause_o = gnomon_pkg::CAUSE_INPUT_STARVED;
   end
 
