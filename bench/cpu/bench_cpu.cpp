@@ -44,7 +44,7 @@ void run_loop(benchmark::State& state) {
   Memory memory;
   std::memcpy(memory.bytes.data(), kLoop.data(), sizeof kLoop);
   Rv32Core core(memory);
-  for (auto _ : state) core.run(1'000'000);
+  for ([[maybe_unused]] auto round : state) core.run(1'000'000);
   if (core.counters().exceptions != 0) state.SkipWithError("the loop has trapped");
   state.SetItemsProcessed(state.iterations() * 1'000'000);
 }

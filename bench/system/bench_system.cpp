@@ -29,7 +29,7 @@ void run_stream(benchmark::State& state, std::unique_ptr<golden::Engine> inner, 
   const std::vector<golden::Word> words = commands();
   SystemEngine engine({}, std::move(inner), firmware(), std::move(clock));
   std::uint64_t results = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto round : state) {
     engine.submit(words);
     engine.drain([&](std::span<const golden::Word> more) { results += more.size(); });
   }

@@ -15,7 +15,7 @@ inline constexpr int kNewtonFracBits = 24;  ///< of t = 2 - m * seed
 
 /// 1 over the middle of the i-th interval of 1..2, rounded to nearest.
 constexpr std::uint32_t seed(std::uint32_t i) {
-  const std::uint64_t odd = (std::uint64_t{1} << (kSeedIndexBits + 1)) + 2 * i + 1;
+  const std::uint64_t odd = (std::uint64_t{1} << (kSeedIndexBits + 1)) + 2 * std::uint64_t{i} + 1;
   return static_cast<std::uint32_t>(((std::uint64_t{1} << 27) + odd) / (2 * odd));
 }
 
