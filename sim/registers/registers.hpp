@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kBase = 0x10000000;
 inline constexpr std::uint32_t kIdOffset = 0x0;
 inline constexpr std::uint32_t kIdReset = 0x4D4F4E47;
 inline constexpr std::uint32_t kVersionOffset = 0x4;
-inline constexpr std::uint32_t kVersionReset = 0x10000;
+inline constexpr std::uint32_t kVersionReset = 0x10001;
 inline constexpr std::uint32_t kVersionMinorShift = 0x0;
 inline constexpr std::uint32_t kVersionMinorMask = 0xFFFF;
 inline constexpr std::uint32_t kVersionMajorShift = 0x10;
@@ -98,6 +98,8 @@ inline constexpr std::uint32_t kStatusResultBlockedShift = 0x1;
 inline constexpr std::uint32_t kStatusResultBlockedMask = 0x2;
 inline constexpr std::uint32_t kStatusStoppedShift = 0x2;
 inline constexpr std::uint32_t kStatusStoppedMask = 0x4;
+inline constexpr std::uint32_t kStatusLateShift = 0x3;
+inline constexpr std::uint32_t kStatusLateMask = 0x8;
 inline constexpr std::uint32_t kAxiTimeoutOffset = 0x4C;
 inline constexpr std::uint32_t kAxiTimeoutReset = 0x10000;
 inline constexpr std::uint32_t kPlaneBaseLowOffset = 0x50;
@@ -165,11 +167,11 @@ inline constexpr std::uint32_t kSnapshotReset = 0x0;
 inline constexpr std::uint32_t kSnapshotTakeShift = 0x0;
 inline constexpr std::uint32_t kSnapshotTakeMask = 0x1;
 inline constexpr std::uint32_t kCounterLowOffset = 0x400;
-inline constexpr std::uint32_t kCounterLowCount = 0x80;
+inline constexpr std::uint32_t kCounterLowCount = 0x100;
 inline constexpr std::uint32_t kCounterLowStride = 0x8;
 inline constexpr std::uint32_t kCounterLowReset = 0x0;
 inline constexpr std::uint32_t kCounterHighOffset = 0x404;
-inline constexpr std::uint32_t kCounterHighCount = 0x80;
+inline constexpr std::uint32_t kCounterHighCount = 0x100;
 inline constexpr std::uint32_t kCounterHighStride = 0x8;
 inline constexpr std::uint32_t kCounterHighReset = 0x0;
 inline constexpr std::uint32_t kErrorCodeIsNone = 0x0;
@@ -183,7 +185,7 @@ inline constexpr std::uint32_t kErrorCodeIsBadRing = 0x7;
 inline constexpr std::uint32_t kErrorCodeIsCutCommand = 0x8;
 inline constexpr std::array<RegisterInfo, 35> kRegisters{{
     {"ID", 0x0, 1, 4, Access::Ro, 0x4D4F4E47, 0xFFFFFFFF},
-    {"VERSION", 0x4, 1, 4, Access::Ro, 0x10000, 0xFFFFFFFF},
+    {"VERSION", 0x4, 1, 4, Access::Ro, 0x10001, 0xFFFFFFFF},
     {"FEATURES", 0x8, 1, 4, Access::Ro, 0x0, 0x7001F},
     {"WIDTHS_VOXEL", 0x10, 1, 4, Access::Ro, 0x0, 0xFFFFFFFF},
     {"WIDTHS_PLANE", 0x14, 1, 4, Access::Ro, 0x0, 0xFFFF},
@@ -193,7 +195,7 @@ inline constexpr std::array<RegisterInfo, 35> kRegisters{{
     {"WIDTHS_MEMORY", 0x24, 1, 4, Access::Ro, 0x0, 0xFFFF},
     {"CONTROL", 0x40, 1, 4, Access::Rw, 0x0, 0x3},
     {"RESET", 0x44, 1, 4, Access::W1p, 0x0, 0x1},
-    {"STATUS", 0x48, 1, 4, Access::Ro, 0x1, 0x7},
+    {"STATUS", 0x48, 1, 4, Access::Ro, 0x1, 0xF},
     {"AXI_TIMEOUT", 0x4C, 1, 4, Access::Rw, 0x10000, 0xFFFFFFFF},
     {"PLANE_BASE_LOW", 0x50, 1, 4, Access::Rw, 0x0, 0xFFFFFFFF},
     {"PLANE_BASE_HIGH", 0x54, 1, 4, Access::Rw, 0x0, 0xFFFFFFFF},
@@ -215,8 +217,8 @@ inline constexpr std::array<RegisterInfo, 35> kRegisters{{
     {"JOBS_DONE", 0xD0, 1, 4, Access::Ro, 0x0, 0xFFFFFFFF},
     {"JOB_FLAGS", 0xD4, 1, 4, Access::Ro, 0x0, 0xFFFFFF},
     {"SNAPSHOT", 0xE0, 1, 4, Access::W1p, 0x0, 0x1},
-    {"COUNTER_LOW", 0x400, 128, 8, Access::Ro, 0x0, 0xFFFFFFFF},
-    {"COUNTER_HIGH", 0x404, 128, 8, Access::Ro, 0x0, 0xFFFFFFFF},
+    {"COUNTER_LOW", 0x400, 256, 8, Access::Ro, 0x0, 0xFFFFFFFF},
+    {"COUNTER_HIGH", 0x404, 256, 8, Access::Ro, 0x0, 0xFFFFFFFF},
 }};
 }  // namespace hardware
 /// The mailbox.

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 REGISTERS = Path(__file__).resolve().parents[3] / "sim" / "registers"
-VIEWS = ["sim/registers/gnomon_registers_pkg.sv", "sim/registers/registers.hpp", "firmware/driver/gnomon_registers.h", "docs/registers.md"]
+VIEWS = ["rtl/system/gnomon_registers_pkg.sv", "sim/registers/registers.hpp", "firmware/driver/gnomon_registers.h", "docs/registers.md"]
 
 TWO_REGISTERS = """
 [[block]]
@@ -86,7 +86,7 @@ class Generator(unittest.TestCase):
     def test_hardware_tools_read_the_package(self):
         module = self.root / "user.sv"
         module.write_text("module user(output logic [31:0] id);\n  assign id = gnomon_registers_pkg::GNOMON_ID_RESET;\nendmodule\n")
-        package = REGISTERS / "gnomon_registers_pkg.sv"
+        package = REGISTERS.parents[1] / "rtl" / "system" / "gnomon_registers_pkg.sv"
         commands = (["verilator", "--lint-only", "-Wall", package, module],
                     ["yosys", "-q", "-p", f"read_verilog -sv {package} {module}; prep -top user"])
         for command in commands:

@@ -36,7 +36,7 @@ Constants constants(const std::string& path, const std::string& pattern) {
 }
 
 Constants of_systemverilog() {
-  return constants("sim/registers/gnomon_registers_pkg.sv",
+  return constants("rtl/system/gnomon_registers_pkg.sv",
                    R"(localparam bit \[31:0\] (GNOMON_\w+) = 32'h(\w+);)");
 }
 Constants of_c() {
