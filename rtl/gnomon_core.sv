@@ -33,6 +33,8 @@ module gnomon_core #(
   parameter int unsigned SLB_ROUNDING     = 0,
   parameter int unsigned SLB_DIVIDERS     = 2,
   parameter int unsigned MEM_LATENCY      = 1,      // cycles of a read of a plane's RAM
+  // Other than 0 (12..16): planes and lists lie in memory, behind caches of 2^CACHE_LOG2 bytes a unit (docs/cache.md).
+  parameter int unsigned CACHE_LOG2       = 0,
   parameter bit          EN_BUS           = 1'b0,   // inside gnomon_top: heeds the inputs from around it
   parameter int unsigned MEM_STALL_SEED   = 0       // test aid: other than 0 (1..65535), the planes' ports stall at random
 ) (
@@ -61,7 +63,26 @@ module gnomon_core #(
   input  logic        result_awaited_i,     // results wait for memory
   output logic        in_command_o,         // the next command word is an item
   output logic        error_given_o,        // an error result is given
-  output gnomon_pkg::sticky_t raised_o      // sticky flags raised in this cycle
+  output gnomon_pkg::sticky_t raised_o,     // sticky flags raised in this cycle
+  // Line port of the caches (docs/cache.md); silent without. Planes and lists lie from `plane_base_i` on, which changes only
+  // in reset.
+  input  logic [63:12]  plane_base_i,
+  output logic          line_read_valid_o,
+  input  logic          line_read_ready_i,
+  output logic [63:6]   line_read_address_o,
+  output logic [2:0]    line_read_id_o,
+  input  logic          line_data_valid_i,
+  output logic          line_data_ready_o,
+  input  logic [2:0]    line_data_id_i,
+  input  logic [511:0]  line_data_data_i,
+  output logic          line_write_valid_o,
+  input  logic          line_write_ready_i,
+  output logic [63:6]   line_write_address_o,
+  output logic [2:0]    line_write_id_o,
+  output logic [511:0]  line_write_data_o,
+  output logic [63:0]   line_write_strobe_o,
+  input  logic          line_written_valid_i,
+  input  logic [2:0]    line_written_id_i
 );
 
   parameter_check #(
@@ -72,8 +93,24 @@ module gnomon_core #(
     .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
     .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS),
     .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(MEM_LATENCY),
-    .MEM_STALL_SEED(MEM_STALL_SEED)
+    .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2)
   ) u_parameter_check ();
+
+  // ---- Line port ----
+  assign line_read_valid_o    = 1'b0;
+  assign line_read_address_o  = '0;
+  assign line_read_id_o       = '0;
+  assign line_data_ready_o    = 1'b1;
+  assign line_write_valid_o   = 1'b0;
+  assign line_write_address_o = '0;
+  assign line_write_id_o      = '0;
+  assign line_write_data_o    = '0;
+  assign line_write_strobe_o  = '0;
+  logic unused_line;
+  assign unused_line = ^{
+    plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i, line_write_ready_i,
+    line_written_valid_i, line_written_id_i
+  };
 
   localparam int unsigned INDEX = 2 * PLANE_LOG2;
   localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
