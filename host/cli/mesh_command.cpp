@@ -4,13 +4,12 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "host/cli/command.hpp"
 #include "host/cli/output_files.hpp"
-#include "host/cli/scene_input.hpp"
 #include "host/cli/scene_voxels.hpp"
+#include "host/cli/surface_options.hpp"
 #include "host/mesh/edge_census.hpp"
 #include "host/mesh/mesh_files.hpp"
 
@@ -23,14 +22,7 @@ class MeshCommand : public Command {
  public:
   CLI::App* add_to(CLI::App& program) override {
     CLI::App* command = program.add_subcommand("mesh", "Mesh the limit surface of a model, without cracks");
-    command->add_option("MODEL", model_, "OBJ control cage, or scene file")->required();
-    command->add_option("--res", res_, "Voxels a side (the same as --set res=R)")->type_name("R");
-    command->add_option("-o,--output", outputs_, "FILE.obj or FILE.ply, repeatable")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
-        ->required();
-    command->add_flag("--json", json_, "Print the figures as JSON");
-    add_set_option(*command, set_);
+    options_.add_to(*command, "FILE.obj or FILE.ply, repeatable");
     command->footer(
         "Faces are about as large as a voxel. Without a ground, unless --set ground=on.\n\nExample:\n  "
         "gnomon "
@@ -39,14 +31,12 @@ class MeshCommand : public Command {
   }
 
   Result<int> run(Context& context) override {
-    for (const fs::path& output : outputs_) {
+    for (const fs::path& output : options_.outputs) {
       if (const auto format = mesh::mesh_format(output); !format) return tl::make_unexpected(format.error());
       if (Result<void> possible = check_output(output); !possible)
         return tl::make_unexpected(possible.error());
     }
-    std::vector<std::string> flags = set_;
-    if (!res_.empty()) flags.push_back("res=" + res_);
-    const Result<LoadedScene> input = load_input(context, model_, flags, {{"ground", "off", "default"}});
+    const Result<LoadedScene> input = options_.load(context);
     if (!input) return tl::make_unexpected(input.error());
     const Result<mesh::SurfaceMesh> made = make_mesh(context, *input);
     if (!made) return tl::make_unexpected(made.error());
@@ -71,7 +61,7 @@ class MeshCommand : public Command {
 
   Result<void> write(Context& context, const mesh::SurfaceMesh& made) const {
     OutputFiles files;
-    for (const fs::path& output : outputs_) {
+    for (const fs::path& output : options_.outputs) {
       Result<void> added = files.add(output, [&](const fs::path& temporary) {
         return mesh::write_mesh(*mesh::mesh_format(output), temporary, made, {},
                                 [&] { context.interruption.check(); });
@@ -86,19 +76,16 @@ class MeshCommand : public Command {
     const auto quads = static_cast<std::size_t>(std::ranges::count_if(
         made.faces, [](const mesh::Corners& face) { return mesh::corner_count(face) == 4; }));
     const std::size_t triangles = made.faces.size() - quads;
-    if (json_) {
-      nlohmann::ordered_json figures = {{"objects", scene.objects.size()},
-                                        {"vertices", made.positions.size()},
-                                        {"quads", quads},
-                                        {"triangles", triangles},
-                                        {"edges", census.edges},
-                                        {"open_edges", census.open},
-                                        {"crowded_edges", census.crowded},
-                                        {"turned_edges", census.turned},
-                                        {"closed", census.closed()},
-                                        {"files", nlohmann::ordered_json::array()}};
-      for (const fs::path& output : outputs_) figures["files"].push_back(output.string());
-      fmt::print("{}\n", figures.dump(2));
+    if (options_.json) {
+      options_.print_json({{"objects", scene.objects.size()},
+                           {"vertices", made.positions.size()},
+                           {"quads", quads},
+                           {"triangles", triangles},
+                           {"edges", census.edges},
+                           {"open_edges", census.open},
+                           {"crowded_edges", census.crowded},
+                           {"turned_edges", census.turned},
+                           {"closed", census.closed()}});
       return;
     }
     fmt::print("{} vertices, {} quads, {} triangles, {} edges: {}\n", made.positions.size(), quads, triangles,
@@ -106,14 +93,10 @@ class MeshCommand : public Command {
                census.closed() ? std::string("closed")
                                : fmt::format("{} open, {} with more than two faces, {} turned", census.open,
                                              census.crowded, census.turned));
-    for (const fs::path& output : outputs_) fmt::print("{}\n", output.string());
+    options_.print_outputs();
   }
 
-  fs::path model_;
-  std::string res_;
-  std::vector<fs::path> outputs_;
-  bool json_ = false;
-  std::vector<std::string> set_;
+  SurfaceOptions options_;
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include "host/cli/command.hpp"
 #include "host/cli/output_files.hpp"
-#include "host/cli/scene_input.hpp"
 #include "host/cli/scene_voxels.hpp"
+#include "host/cli/surface_options.hpp"
 #include "host/cli/voxel_files.hpp"
 
 namespace gnomon::cli {
@@ -17,18 +17,9 @@ class VoxelizeCommand : public Command {
  public:
   CLI::App* add_to(CLI::App& program) override {
     CLI::App* command = program.add_subcommand("voxelize", "Voxelize the limit surface of a model");
-    command->add_option("MODEL", model_, "OBJ control cage, or scene file")->required();
-    command->add_option("--res", res_, "Voxels a side (the same as --set res=R)")->type_name("R");
+    options_.add_to(*command, "FILE.npy or FILE.vdb, repeatable; FILE.json is written beside it");
     command->add_option("--adjacency", adjacency_, "6, 18 or 26 (the same as --set adjacency=N)")
         ->type_name("N");
-    command
-        ->add_option("-o,--output", outputs_,
-                     "FILE.npy or FILE.vdb, repeatable; FILE.json is written beside it")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
-        ->required();
-    command->add_flag("--json", json_, "Print the figures as JSON");
-    add_set_option(*command, set_);
     command->footer(
         "Without a ground, unless --set ground=on.\n\nExample:\n  gnomon voxelize cup.obj --res 256 -o "
         "cup.vdb");
@@ -37,10 +28,9 @@ class VoxelizeCommand : public Command {
 
   Result<int> run(Context& context) override {
     if (Result<void> sound = check_outputs(); !sound) return tl::make_unexpected(sound.error());
-    std::vector<std::string> flags = set_;
-    if (!res_.empty()) flags.push_back("res=" + res_);
+    std::vector<std::string> flags;
     if (!adjacency_.empty()) flags.push_back("adjacency=" + adjacency_);
-    const Result<LoadedScene> input = load_input(context, model_, flags, {{"ground", "off", "default"}});
+    const Result<LoadedScene> input = options_.load(context, flags);
     if (!input) return tl::make_unexpected(input.error());
     const Result<voxel::CoordinateSet> voxels = voxelize_scene_coordinates(context, *input);
     if (!voxels) return tl::make_unexpected(voxels.error());
@@ -52,7 +42,7 @@ class VoxelizeCommand : public Command {
 
  private:
   Result<void> check_outputs() const {
-    for (const fs::path& output : outputs_) {
+    for (const fs::path& output : options_.outputs) {
       if (output.extension() != ".npy" && output.extension() != ".vdb") {
         return fail(fmt::format("-o {}: expected a name that ends in .npy or .vdb", output.string()));
       }
@@ -64,7 +54,7 @@ class VoxelizeCommand : public Command {
   Result<void> write(const voxel::CoordinateSet& voxels) const {
     const std::vector<std::array<std::int32_t, 3>> rows = sorted_coordinates(voxels);
     OutputFiles files;
-    for (const fs::path& output : outputs_) {
+    for (const fs::path& output : options_.outputs) {
       Result<void> added = files.add(output, [&](const fs::path& temporary) {
         return output.extension() == ".npy" ? write_npy(temporary, rows)
                                             : write_vdb(temporary, rows, voxels.grid);
@@ -82,30 +72,24 @@ class VoxelizeCommand : public Command {
   void report(const voxel::CoordinateSet& voxels) const {
     const voxel::VoxelStatistics& s = voxels.statistics;
     const double count = static_cast<double>(voxels.voxels.size());
-    if (json_) {
-      nlohmann::ordered_json figures = {{"voxels", voxels.voxels.size()},
-                                        {"evaluations", s.evaluations},
-                                        {"subpatches", s.subpatches},
-                                        {"floor_hits", s.floor_hits},
-                                        {"seconds", s.seconds},
-                                        {"grid", grid_json(voxels.grid)},
-                                        {"files", nlohmann::ordered_json::array()}};
-      for (const fs::path& output : outputs_) figures["files"].push_back(output.string());
-      fmt::print("{}\n", figures.dump(2));
+    if (options_.json) {
+      options_.print_json({{"voxels", voxels.voxels.size()},
+                           {"evaluations", s.evaluations},
+                           {"subpatches", s.subpatches},
+                           {"floor_hits", s.floor_hits},
+                           {"seconds", s.seconds},
+                           {"grid", grid_json(voxels.grid)}});
       return;
     }
     fmt::print("{} voxels at {}^3, {}-adjacent, {:.2f} evaluations a voxel, {:.3f} s\n", voxels.voxels.size(),
                voxels.grid.res, static_cast<int>(voxels.grid.adjacency),
                static_cast<double>(s.evaluations) / count, s.seconds);
     if (s.floor_hits > 0) fmt::print("{} subpatches reached the recursion floor\n", s.floor_hits);
-    for (const fs::path& output : outputs_) fmt::print("{}\n", output.string());
+    options_.print_outputs();
   }
 
-  fs::path model_;
-  std::string res_, adjacency_;
-  std::vector<fs::path> outputs_;
-  bool json_ = false;
-  std::vector<std::string> set_;
+  SurfaceOptions options_;
+  std::string adjacency_;
 };
 
 }  // namespace
