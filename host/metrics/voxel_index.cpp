@@ -15,7 +15,7 @@ namespace {
 
 /// Coordinates from -4 on have places of their own.
 std::uint64_t brick_place(int x, int y, int z) {
-  const auto part = [](int c) { return static_cast<std::uint64_t>((c >> 2) + 1); };
+  const auto part = [](int c) { return static_cast<std::uint64_t>(std::int64_t{c >> 2} + 1); };
   return (part(z) << 42) | (part(y) << 21) | part(x);
 }
 

@@ -13,9 +13,9 @@ namespace {
 class KeptStates final : public Technique {
  public:
   /// `clear`: it is the first view of the run.
-  KeptStates(std::unique_ptr<Technique> technique, const TechniqueInput& input, golden::HardwareConfig config,
-             bool clear)
-      : technique_(std::move(technique)), input_(input), config_(std::move(config)), clear_(clear) {}
+  KeptStates(std::unique_ptr<Technique> technique, const TechniqueInput& input,
+             const golden::HardwareConfig& config, bool clear)
+      : technique_(std::move(technique)), input_(input), config_(config), clear_(clear) {}
 
   const golden::HardwareConfig& config() const override { return config_; }
   bool answers_points() const override { return false; }

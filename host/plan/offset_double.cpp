@@ -35,7 +35,8 @@ class DepthPlane {
   /// Nearest depth in the entry that p falls into; infinite where empty or off the plane.
   double nearest(const Vec3& p) const {
     const double* entry = const_cast<DepthPlane*>(this)->find(p);
-    return entry != nullptr ? *entry : kNothing;
+    if (entry == nullptr) return kNothing;
+    return *entry;
   }
 
  private:
