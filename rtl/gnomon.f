@@ -82,6 +82,7 @@ slb/slb_modify.sv
 slb/slb_plane.sv
 slb/slb_change.sv
 slb/slb_winding.sv
+slb/slb_fill_ask.sv
 slb/slb_fill.sv
 slb/slb_chain_stage.sv
 slb/slb_cover_stage.sv

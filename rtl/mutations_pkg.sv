@@ -105,6 +105,9 @@ package mutations_pkg;
   bit SLB_FIRST_LINE      = $test$plusargs("SLB_FIRST_LINE") != 0;       // a reduced chain always becomes its line A
   bit SLB_WRAP_WINDING    = $test$plusargs("SLB_WRAP_WINDING") != 0;     // sums of winding numbers wrap
   bit SLB_LOSE_CARRY      = $test$plusargs("SLB_LOSE_CARRY") != 0;       // FILL starts every row at 0
+  bit SLB_FORGET_PLAIN    = $test$plusargs("SLB_FORGET_PLAIN") != 0;     // FILL says of no line that it is plain
+  bit SLB_PLAIN_BEFORE    = $test$plusargs("SLB_PLAIN_BEFORE") != 0;     // plain lines behind others are as those before
+  bit SLB_ENTRY_ALONE     = $test$plusargs("SLB_ENTRY_ALONE") != 0;      // an entry's update leaves its line out
   bit SLB_KEEP_LINES      = $test$plusargs("SLB_KEEP_LINES") != 0;       // FILL does not clear has_lines
   bit SLB_COVER_ALL_ROWS  = $test$plusargs("SLB_COVER_ALL_ROWS") != 0;   // COVER trusts rows of earlier objects
   bit SLB_LAST_OBJECT     = $test$plusargs("SLB_LAST_OBJECT") != 0;      // of several covering groups the last is named
@@ -116,6 +119,9 @@ package mutations_pkg;
   localparam bit SLB_FIRST_LINE      = 1'b0;
   localparam bit SLB_WRAP_WINDING    = 1'b0;
   localparam bit SLB_LOSE_CARRY      = 1'b0;
+  localparam bit SLB_FORGET_PLAIN    = 1'b0;
+  localparam bit SLB_PLAIN_BEFORE    = 1'b0;
+  localparam bit SLB_ENTRY_ALONE     = 1'b0;
   localparam bit SLB_KEEP_LINES      = 1'b0;
   localparam bit SLB_COVER_ALL_ROWS  = 1'b0;
   localparam bit SLB_LAST_OBJECT     = 1'b0;

@@ -64,6 +64,9 @@ module slb_backend #(
   localparam int unsigned SLOT    = (P < gnomon_pkg::LINE_LOG2) ? P : gnomon_pkg::LINE_LOG2;  // a line lies in one row
   localparam int unsigned SLOTS   = 1 << SLOT;
   localparam int unsigned LINES   = INDEX - SLOT;
+  localparam int unsigned SPAN    = (LINES - P < slb_pkg::SPAN_LOG2) ? LINES - P : slb_pkg::SPAN_LOG2;  // likewise a span
+  localparam int unsigned SPANS   = LINES - SPAN;
+  localparam int unsigned ITEM    = slb_pkg::fill_item_bits(LINES, SPAN);
   localparam int unsigned ENTRY   = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, K, D);
   localparam int unsigned WORD    = ENTRY + K + 2;
   localparam int unsigned WINDING = P + 9;
@@ -106,35 +109,49 @@ module slb_backend #(
   );
 
   // ---- Winding numbers ----
-  logic               wind_gated, wind_granted, scratch_ask, scratch_asked, scratch_valid, scratch_ready, winding_idle;
-  logic               touched, scrubbing;
-  logic [LINES-1:0]   scratch_line, scratch_word_line, scrub_line;
-  logic [SCRATCH-1:0] scratch_word;
-  logic [P-1:0]       first_row, last_row;
+  logic                 wind_gated, wind_granted, scratch_ask, scratch_asked, scratch_valid, scratch_ready, winding_idle;
+  logic                 span_ask, span_asked, span_valid, span_ready, touched, scrubbing;
+  logic [LINES-1:0]     scrub_line;
+  logic [ITEM-1:0]      scratch_item, scratch_word_item;
+  logic [SCRATCH-1:0]   scratch_word;
+  logic [SPANS-1:0]     span, span_word_span;
+  logic [(1<<SPAN)-1:0] span_word;
+  logic [P-1:0]         first_row, last_row;
   stall_gate #(.SEED(STALLS ? SEED ^ 16'h71C3 : 16'd0)) u_stall_wind (
     .clk_i, .rst_ni, .valid_i(wind_valid_i), .ready_o(wind_ready_o), .valid_o(wind_gated), .ready_i(wind_granted)
   );
-  slb_winding #(.PLANE_LOG2(P), .SLOT_BITS(SLOT), .READ_LATENCY(MEM_LATENCY)) u_winding (
+  slb_winding #(.PLANE_LOG2(P), .SLOT_BITS(SLOT), .SPAN_BITS(SPAN), .READ_LATENCY(MEM_LATENCY)) u_winding (
     .clk_i, .rst_ni, .begin_i(begin_object), .wind_valid_i(wind_gated), .wind_ready_o(wind_granted), .wind_column_i,
     .wind_row_i, .wind_up_i, .saturated_o(events_o.winding_saturated), .mark_i(put_valid && put_ready),
-    .mark_index_i(put_index), .read_valid_i(scratch_ask), .read_ready_o(scratch_asked), .read_line_i(scratch_line),
-    .word_valid_o(scratch_valid), .word_ready_i(scratch_ready), .word_o(scratch_word),
-    .word_line_o(scratch_word_line), .touched_o(touched), .first_row_o(first_row), .last_row_o(last_row),
+    .mark_index_i(put_index), .span_valid_i(span_ask), .span_ready_o(span_asked), .span_i(span),
+    .span_word_valid_o(span_valid), .span_word_ready_i(span_ready), .span_word_o(span_word),
+    .span_word_span_o(span_word_span), .read_valid_i(scratch_ask), .read_ready_o(scratch_asked),
+    .read_item_i(scratch_item), .word_valid_o(scratch_valid), .word_ready_i(scratch_ready), .word_o(scratch_word),
+    .word_item_o(scratch_word_item), .touched_o(touched), .first_row_o(first_row), .last_row_o(last_row),
     .scrub_i(scrubbing), .scrub_line_i(scrub_line), .idle_o(winding_idle)
   );
 
   // ---- FILL ----
-  logic                      fill_idle, fill_valid, fill_ready, fill_line;
+  logic                      fill_asked, fill_idle, fill_valid, fill_ready, fill_line, fill_step;
   logic [INDEX-1:0]          fill_index;
   logic [SLOTS-1:0]          fill_slots, fill_covered;
   logic signed [WINDING-1:0] fill_winding;
-  slb_fill #(.PLANE_LOG2(P), .SLOT_BITS(SLOT)) u_fill (
+  logic [(1<<SPAN)-1:0]      plain_write, plain, plain_covered;
+  logic [SPANS-1:0]          plain_span;
+  logic [6:0]                fill_covered_pixels;
+  slb_fill_ask #(.PLANE_LOG2(P), .LINE_BITS(LINES), .SPAN_BITS(SPAN)) u_fill_ask (
     .clk_i, .rst_ni, .start_i(fill_start), .touched_i(touched), .first_row_i(first_row), .last_row_i(last_row),
-    .idle_o(fill_idle), .read_valid_o(scratch_ask), .read_ready_i(scratch_asked), .read_line_o(scratch_line),
-    .word_valid_i(scratch_valid), .word_ready_o(scratch_ready), .word_i(scratch_word),
-    .word_line_i(scratch_word_line), .update_valid_o(fill_valid), .update_ready_i(fill_ready),
-    .update_line_o(fill_line), .update_index_o(fill_index), .slots_o(fill_slots), .covered_o(fill_covered),
-    .winding_o(fill_winding)
+    .idle_o(fill_asked), .span_valid_o(span_ask), .span_ready_i(span_asked), .span_o(span),
+    .word_valid_i(span_valid), .word_ready_o(span_ready), .word_i(span_word), .word_span_i(span_word_span),
+    .read_valid_o(scratch_ask), .read_ready_i(scratch_asked), .read_item_o(scratch_item)
+  );
+  slb_fill #(.PLANE_LOG2(P), .SLOT_BITS(SLOT), .SPAN_BITS(SPAN)) u_fill (
+    .clk_i, .rst_ni, .flat_i, .idle_o(fill_idle), .word_valid_i(scratch_valid), .word_ready_o(scratch_ready),
+    .word_i(scratch_word), .word_item_i(scratch_word_item), .update_valid_o(fill_valid),
+    .update_ready_i(fill_ready), .update_line_o(fill_line), .update_index_o(fill_index), .slots_o(fill_slots),
+    .covered_o(fill_covered), .winding_o(fill_winding), .plain_write_o(plain_write), .plain_span_o(plain_span),
+    .plain_o(plain), .plain_covered_o(plain_covered), .step_o(fill_step), .pixels_o(events_o.fill_pixels),
+    .covered_pixels_o(fill_covered_pixels)
   );
 
   // ---- COVER ----
@@ -160,7 +177,7 @@ module slb_backend #(
   logic [1:0]         update_kind;
   logic [FIELDS-1:0]  update_fields;
   assign update_valid = put_valid || fill_valid || sample_valid;
-  assign update_line  = fill_valid && fill_line;
+  assign update_line  = fill_valid;
   assign put_ready    = update_ready;
   assign fill_ready   = update_ready;
   assign sample_ready = update_ready;
@@ -229,37 +246,37 @@ module slb_backend #(
   );
 
   // ---- The plane and its modify function ----
-  logic               modify_valid, modify_write, line_write, plane_idle;
+  logic               modify_valid, modify_write, line_write, plane_idle, filled_covered;
   logic [WORD-1:0]    modify_word, new_word;
   logic [OPERAND-1:0] modify_operand;
   logic [D-1:0]       line_depth;
   slb_plane #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .INDEX_BITS(INDEX),
-    .SLOT_BITS(SLOT), .OPERAND_BITS(OPERAND), .TAG_BITS(TAG), .READ_LATENCY(MEM_LATENCY)
+    .SLOT_BITS(SLOT), .SPAN_BITS(SPAN), .OPERAND_BITS(OPERAND), .TAG_BITS(TAG), .READ_LATENCY(MEM_LATENCY)
   ) u_plane (
     .clk_i, .rst_ni, .update_valid_i(update_gated), .update_ready_o(update_granted), .update_line_i(update_line),
     .update_index_i(update_index), .update_operand_i(update_operand), .modify_valid_o(modify_valid),
     .modify_word_o(modify_word), .modify_operand_o(modify_operand), .modify_write_i(modify_write),
     .modify_word_i(new_word), .line_write_i(line_write),
     .line_slots_i(modify_operand[WINDING+SLOTS+:SLOTS]), .line_covered_i(modify_operand[WINDING+:SLOTS]),
-    .line_depth_i(line_depth), .read_valid_i(ask_gated), .read_ready_o(ask_granted), .read_index_i(ask_index),
+    .line_depth_i(line_depth), .plain_write_i(plain_write), .plain_span_i(plain_span), .plain_i(plain),
+    .plain_covered_i(plain_covered), .read_valid_i(ask_gated), .read_ready_o(ask_granted), .read_index_i(ask_index),
     .read_tag_i(ask_tag), .entry_valid_o(given), .entry_ready_i(taken), .entry_o(entry), .entry_tag_o(entry_tag),
     .clear_i(clear_start), .scrubbing_o(scrubbing), .scrub_line_o(scrub_line), .idle_o(plane_idle)
   );
   slb_modify #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .PLANE_LOG2(P),
-    .SLOT_BITS(SLOT), .ROUNDING(ROUNDING)
+    .ROUNDING(ROUNDING)
   ) u_modify (
     .object_i, .flat_i, .flat_depth_i, .valid_i(modify_valid), .kind_i(modify_operand[OPERAND-1-:2]),
     .word_i(modify_word), .depth_i(modify_operand[0+:D]), .op_i(modify_operand[D+:2]),
     .a_i(modify_operand[D+2+:LINE]), .b_i(modify_operand[D+2+LINE+:LINE]),
     .join_i(modify_operand[D+2+2*LINE+:LINE]), .contains_i(modify_operand[D+2+3*LINE]),
     .corner_i(modify_operand[D+3+3*LINE]), .winding_i(modify_operand[0+:WINDING]),
-    .front_i(modify_operand[2*D+:D]), .margin_i(modify_operand[D+:D]), .covered_i(modify_operand[WINDING+:SLOTS]),
+    .front_i(modify_operand[2*D+:D]), .margin_i(modify_operand[D+:D]),
     .write_o(modify_write), .word_o(new_word), .line_write_o(line_write), .line_depth_o(line_depth),
     .dropped_o(events_o.chain_dropped), .reduced_o(events_o.chain_reduced), .evicted_o(events_o.group_evicted),
-    .filled_group_o(events_o.fill_group), .filled_pixels_o(events_o.fill_pixels),
-    .filled_covered_o(events_o.fill_covered), .cover_used_o(events_o.cover_used)
+    .filled_group_o(events_o.fill_group), .filled_covered_o(filled_covered), .cover_used_o(events_o.cover_used)
   );
 
   // ---- Results ----
@@ -267,8 +284,8 @@ module slb_backend #(
   assign result_o       = reader_valid ? reader_result : query_result;
 
   // ---- Account ----
-  assign idle_o = !put_valid && !sample_valid && fill_idle && winding_idle && plane_idle && query_idle && !reader_busy;
-  assign step_o = scrubbing || (fill_valid && fill_ready) || (reader_busy && ((ask && asked) || (reader_valid && result_ready_i)));
+  assign idle_o = !put_valid && !sample_valid && fill_asked && fill_idle && winding_idle && plane_idle && query_idle && !reader_busy;
+  assign step_o = scrubbing || fill_step || (reader_busy && ((ask && asked) || (reader_valid && result_ready_i)));
   assign wait_o = (update_valid && !update_ready) || (ask && !asked) || (wind_valid_i && !wind_ready_o);
 
   gnomon_pkg::slb_answer_t answer;
@@ -276,6 +293,7 @@ module slb_backend #(
   assign answer                   = query_result;
   assign answered                 = query_valid && result_ready_i;
   assign events_o.object          = begin_object;
+  assign events_o.fill_covered    = fill_covered_pixels + 7'(filled_covered);
   assign events_o.cover_sample    = cover_valid_i && cover_ready_o;
   assign events_o.query           = answered;
   assign events_o.query_shadow    = answered && answer.shadow;

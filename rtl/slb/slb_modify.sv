@@ -7,13 +7,11 @@ module slb_modify #(
   parameter int unsigned FRAGS_PER_PIXEL = 2,
   parameter int unsigned DEPTH_BITS      = 20,
   parameter int unsigned PLANE_LOG2      = 8,
-  parameter int unsigned SLOT_BITS       = 4,
   parameter int unsigned ROUNDING        = 0,
   // Derived; not to be overridden.
   parameter int unsigned LINE    = slb_pkg::line_bits(FRAC_BITS, SLOPE_BITS),
   parameter int unsigned ENTRY   = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS),
   parameter int unsigned WORD    = ENTRY + FRAGS_PER_PIXEL + 2,
-  parameter int unsigned SLOTS   = 1 << SLOT_BITS,
   parameter int unsigned WINDING = PLANE_LOG2 + 9
 ) (
   // Of the object being drawn.
@@ -34,7 +32,6 @@ module slb_modify #(
   input  logic signed [WINDING-1:0]       winding_i,
   input  logic [DEPTH_BITS-1:0]           front_i,       // of the sample
   input  logic [DEPTH_BITS-1:0]           margin_i,
-  input  logic [SLOTS-1:0]                covered_i,     // slots of a line
   output logic                            write_o,
   output logic [WORD-1:0]                 word_o,
   output logic                            line_write_o,
@@ -44,8 +41,7 @@ module slb_modify #(
   output logic                            reduced_o,
   output logic                            evicted_o,
   output logic                            filled_group_o,
-  output logic [4:0]                      filled_pixels_o,
-  output logic [4:0]                      filled_covered_o,
+  output logic                            filled_covered_o,  // a pixel with lines
   output logic                            cover_used_o
 );
 
@@ -100,20 +96,14 @@ module slb_modify #(
   assign line         = valid_i && kind_i == slb_pkg::UPDATE_LINE;
   assign sample       = valid_i && kind_i == slb_pkg::UPDATE_COVER;
   assign write_o      = insert || finish || (sample && used);
-  assign line_write_o = line;
+  assign line_write_o = line || (finish && !mutations_pkg::SLB_ENTRY_ALONE);
   assign line_depth_o = flat_i ? flat_depth_i : '1;
 
-  always_comb begin
-    filled_covered_o = 5'(finish && finished_covered);
-    if (line) begin
-      for (int i = 0; i < SLOTS; i++) filled_covered_o = filled_covered_o + 5'(covered_i[i]);
-    end
-  end
-  assign dropped_o       = insert && dropped;
-  assign reduced_o       = insert && reduced;
-  assign evicted_o       = insert && evicted;
-  assign filled_group_o  = finish;
-  assign filled_pixels_o = line ? 5'(SLOTS) : '0;
-  assign cover_used_o    = sample && used;
+  assign dropped_o        = insert && dropped;
+  assign reduced_o        = insert && reduced;
+  assign evicted_o        = insert && evicted;
+  assign filled_group_o   = finish;
+  assign filled_covered_o = finish && finished_covered;
+  assign cover_used_o     = sample && used;
 
 endmodule

@@ -9,6 +9,7 @@ package slb_pkg;
   localparam int unsigned RANGE_BITS  = 5;  // of a sample of COVER
   localparam int unsigned CORNER_BITS = 6;
   localparam int unsigned CHANGE_BITS = 8;  // dw and carry
+  localparam int unsigned SPAN_LOG2   = 2;  // lines of a span, where a row has as many
 
   localparam logic [1:0] FRAGMENT_ONE = 2'd0;
   localparam logic [1:0] FRAGMENT_AND = 2'd1;
@@ -17,8 +18,8 @@ package slb_pkg;
 
   // What an update does to an entry, or to the entries of a line.
   localparam logic [1:0] UPDATE_INSERT = 2'd0;  // put a chain into it
-  localparam logic [1:0] UPDATE_FINISH = 2'd1;  // FILL, with lines
-  localparam logic [1:0] UPDATE_LINE   = 2'd2;  // FILL, the entries of a line that have none
+  localparam logic [1:0] UPDATE_FINISH = 2'd1;  // FILL, with lines; and those beside it that have none
+  localparam logic [1:0] UPDATE_LINE   = 2'd2;  // FILL, a line without lines
   localparam logic [1:0] UPDATE_COVER  = 2'd3;  // a sample of COVER
 
   function automatic int unsigned line_bits(int unsigned f, int unsigned s);
@@ -39,6 +40,11 @@ package slb_pkg;
   function automatic int unsigned entry_bits(int unsigned f, int unsigned s, int unsigned k, int unsigned d);
     entry_bits = count_bits(k) + 2 + CORNER_BITS + d + k * fragment_bits(f, s, k, d);
   endfunction
+  // What FILL knows of a line that it reads: {first of its row, first of its span, lines of its span with lines, line}.
+  function automatic int unsigned fill_item_bits(int unsigned line_index_bits, int unsigned span_bits);
+    fill_item_bits = 2 + (1 << span_bits) + line_index_bits;
+  endfunction
+
   // 64-bit words of an entry in a dump: with the generation, rounded up to a power of two.
   function automatic int unsigned dump_words(int unsigned f, int unsigned s, int unsigned k, int unsigned d);
     dump_words = 1 << $clog2((gnomon_pkg::GENERATION_BITS + entry_bits(f, s, k, d) + 63) / 64);

@@ -4,6 +4,7 @@
 //
 //   line:      {generation, has fragments, covered, rim, full_depth} x 16
 //   fragments: {answers at the centre, fragments, corner, open, overflow, count}
+//   plain:     {plain, covered} of each line of a span; a plain line has no pixel with lines, and says so here alone
 
 `include "assertions.svh"
 
@@ -14,17 +15,20 @@ module slb_plane #(
   parameter int unsigned DEPTH_BITS      = 20,
   parameter int unsigned INDEX_BITS      = 16,
   parameter int unsigned SLOT_BITS       = 4,    // 2^SLOT_BITS pixels a line
+  parameter int unsigned SPAN_BITS       = 2,    // 2^SPAN_BITS lines a span
   parameter int unsigned OPERAND_BITS    = 64,
   parameter int unsigned TAG_BITS        = 64,
   parameter int unsigned READ_LATENCY    = 1,
   // Derived; not to be overridden.
   parameter int unsigned ENTRY = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS),
   parameter int unsigned WORD  = ENTRY + FRAGS_PER_PIXEL + 2,  // {covered, rim, centre, entry}
-  parameter int unsigned SLOTS = 1 << SLOT_BITS
+  parameter int unsigned SLOTS = 1 << SLOT_BITS,
+  parameter int unsigned SPAN  = 1 << SPAN_BITS,
+  parameter int unsigned SPANS = INDEX_BITS - SLOT_BITS - SPAN_BITS
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
-  // Update port: of an entry, or of a line (`update_line_i`: the index is that of its first entry).
+  // Update port: of an entry, and with `update_line_i` of others in its line.
   input  logic                        update_valid_i,
   output logic                        update_ready_o,
   input  logic                        update_line_i,
@@ -41,6 +45,11 @@ module slb_plane #(
   input  logic [SLOTS-1:0]            line_slots_i,
   input  logic [SLOTS-1:0]            line_covered_i,
   input  logic [DEPTH_BITS-1:0]       line_depth_i,
+  // FILL's word on the lines of a span, beside the updates.
+  input  logic [SPAN-1:0]             plain_write_i,
+  input  logic [SPANS-1:0]            plain_span_i,
+  input  logic [SPAN-1:0]             plain_i,
+  input  logic [SPAN-1:0]             plain_covered_i,
   // Read port.
   input  logic                        read_valid_i,
   output logic                        read_ready_o,
@@ -84,7 +93,7 @@ module slb_plane #(
   logic [SLOT_BITS-1:0] a_slot;
   assign {a_line, a_slot} = a_index;
 
-  // ---- Writes: an entry, the chosen slots of a line, or a line to scrub ----
+  // ---- Writes: an entry, chosen slots of its line or of another, or a line to scrub ----
   logic                  write, line_write_q;
   logic [INDEX_BITS-1:0] write_index;
   logic [WORD-1:0]       write_word;
@@ -110,9 +119,9 @@ module slb_plane #(
     logic [LANE-1:0] new_lane, unused_lane;
     assign write_slot = write && write_index[SLOT_BITS-1:0] == SLOT_BITS'(slot);
     always_comb begin
-      if (scrubbing_o)       new_lane = '0;
-      else if (line_write_q) new_lane = line_lanes_q[slot*LANE+:LANE];
-      else                   new_lane = {generation, 1'b1, write_covered, write_rim, write_full};
+      if (scrubbing_o)     new_lane = '0;
+      else if (write_slot) new_lane = {generation, 1'b1, write_covered, write_rim, write_full};
+      else                 new_lane = line_lanes_q[slot*LANE+:LANE];
     end
     plane_bank #(.ADDRESS_BITS(LINE_BITS), .WIDTH(LANE)) u_bank (
       .clk_i,
@@ -144,6 +153,26 @@ module slb_plane #(
     .clk_i, .data_i(read_fragments), .data_o(fragments)
   );
 
+  // ---- Plain lines, for updates alone ----
+  logic [LINE_BITS-1:0] word_line;
+  logic [2*SPAN-1:0]    read_plain, plain;
+  logic                 line_plain, line_covered;
+  for (genvar i = 0; i < SPAN; i++) begin : gen_plain
+    logic [1:0] unused_plain;
+    plane_bank #(.ADDRESS_BITS(SPANS), .WIDTH(2)) u_bank (
+      .clk_i, .a_read_i(take), .a_address_i(a_line[LINE_BITS-1:SPAN_BITS]), .a_word_o(read_plain[2*i+:2]),
+      .b_read_i(1'b0), .b_write_i(plain_write_i[i]), .b_address_i(plain_span_i),
+      .b_word_i({plain_i[i], plain_covered_i[i]}), .b_word_o(unused_plain)
+    );
+  end
+  delay_line #(.WIDTH(2 * SPAN), .CYCLES(READ_LATENCY - 1)) u_plain_delay (
+    .clk_i, .data_i(read_plain), .data_o(plain)
+  );
+  delay_line #(.WIDTH(LINE_BITS), .CYCLES(READ_LATENCY)) u_line (
+    .clk_i, .data_i(a_line & LINE_BITS'(SPAN - 1)), .data_o(word_line)
+  );
+  assign {line_plain, line_covered} = plain[2*word_line+:2];
+
   // ---- The entry that was read READ_LATENCY cycles ago, as every reader sees it: a stale one is empty ----
   logic [SLOT_BITS-1:0] word_slot;
   delay_line #(.WIDTH(SLOT_BITS), .CYCLES(READ_LATENCY)) u_slot (.clk_i, .data_i(a_slot), .data_o(word_slot));
@@ -156,7 +185,10 @@ module slb_plane #(
   assign {lane_generation, lane_has, lane_covered, lane_rim, lane_full} = lanes[word_slot*LANE+:LANE];
   assign current = lane_generation == generation;
   assign seen    = (current && lane_has) ? fragments : '0;
-  assign word    = {lane_covered, lane_rim, seen[LOW+:K+HIGH], current ? lane_full : {D{1'b1}}, seen[LOW-1:0]};
+  assign word    = {
+    line_plain ? line_covered : lane_covered, lane_rim && !line_plain, seen[LOW+:K+HIGH],
+    current ? lane_full : {D{1'b1}}, seen[LOW-1:0]
+  };
 
   // ---- Updates ----
   logic                  update_idle;
@@ -169,8 +201,8 @@ module slb_plane #(
     .modify_word_i, .write_o(write), .write_index_o(write_index), .write_word_o(write_word), .idle_o(update_idle)
   );
 
-  // A line goes through the same stages, so that one write a cycle is left at their end. Nothing is forwarded to it: its
-  // slots and the entries updated beside it in a FILL are not the same.
+  // A line goes through the same stages, alone or with an entry of its own, so that one write a cycle is left at their end.
+  // Nothing is forwarded to it: its slots and the entries updated in a FILL are not the same.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) line_write_q <= 1'b0;
     else         line_write_q <= modify_valid_o && line_write_i;
@@ -212,7 +244,8 @@ module slb_plane #(
   logic unused_bits;
   assign unused_bits = ^{scrub_last, modify_index[SLOT_BITS-1:0]};
 
-  `GNOMON_ASSERT(a_one_write, 2'(scrubbing_o) + 2'(write) + 2'(line_write_q) <= 2'd1)
-  `GNOMON_ASSERT(a_line_not_entry, !(modify_valid_o && modify_write_i && line_write_i))
+  `GNOMON_ASSERT(a_one_write, !(scrubbing_o && (write || line_write_q)))
+  `GNOMON_ASSERT(a_one_line, !(write && line_write_q) || write_index[INDEX_BITS-1:SLOT_BITS] == line_q)
+  `GNOMON_ASSERT(a_line_not_entry, !(write && line_write_q && line_slots_q[write_index[SLOT_BITS-1:0]]))
 
 endmodule

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scratch memory of the object being drawn (docs/slb.md, "Winding and FILL"): changes of the winding number and has_lines of
-// every pixel, a carry of every row, and the rows touched. FILL reads a line of pixels at once and clears it by reading.
+// every pixel, a carry of every row, the rows touched and, span by span, the lines touched. FILL clears by reading.
 
 `include "assertions.svh"
 
 module slb_winding #(
   parameter int unsigned PLANE_LOG2   = 8,
   parameter int unsigned SLOT_BITS    = 4,   // 2^SLOT_BITS pixels a line
+  parameter int unsigned SPAN_BITS    = 2,   // 2^SPAN_BITS lines a span
   parameter int unsigned READ_LATENCY = 1,
   // Derived; not to be overridden.
   parameter int unsigned CELL_BITS  = PLANE_LOG2 + 2,
   parameter int unsigned SLOTS      = 1 << SLOT_BITS,
   parameter int unsigned LINE_BITS  = 2 * PLANE_LOG2 - SLOT_BITS,
+  parameter int unsigned SPAN       = 1 << SPAN_BITS,
+  parameter int unsigned SPANS      = LINE_BITS - SPAN_BITS,
+  parameter int unsigned ITEM       = slb_pkg::fill_item_bits(LINE_BITS, SPAN_BITS),
   parameter int unsigned CHANGE     = slb_pkg::CHANGE_BITS,
   parameter int unsigned WORD       = SLOTS * (CHANGE + 1) + CHANGE  // {carry, has_lines, dw}
 ) (
@@ -28,14 +32,22 @@ module slb_winding #(
   // A chain goes to this pixel.
   input  logic                        mark_i,
   input  logic [2*PLANE_LOG2-1:0]     mark_index_i,
-  // FILL.
+  // FILL: which lines of a span chains have gone to.
+  input  logic                        span_valid_i,
+  output logic                        span_ready_o,
+  input  logic [SPANS-1:0]            span_i,
+  output logic                        span_word_valid_o,
+  input  logic                        span_word_ready_i,
+  output logic [SPAN-1:0]             span_word_o,
+  output logic [SPANS-1:0]            span_word_span_o,
+  // FILL: lines.
   input  logic                        read_valid_i,
   output logic                        read_ready_o,
-  input  logic [LINE_BITS-1:0]        read_line_i,
+  input  logic [ITEM-1:0]             read_item_i,
   output logic                        word_valid_o,
   input  logic                        word_ready_i,
   output logic [WORD-1:0]             word_o,
-  output logic [LINE_BITS-1:0]        word_line_o,
+  output logic [ITEM-1:0]             word_item_o,
   output logic                        touched_o,      // some row is
   output logic [PLANE_LOG2-1:0]       first_row_o,
   output logic [PLANE_LOG2-1:0]       last_row_o,
@@ -92,7 +104,7 @@ module slb_winding #(
   assign last_row_o  = last_q;
 
   // ---- Changes: one read-modify-write a cycle, of a pixel or of a row ----
-  logic                 read;
+  logic                 read, row_begins;
   logic [LINE_BITS-1:0] read_line;
 
   logic              pixel_valid, pixel_down, pixel_full, pixel_write, pixel_idle, carry_valid, carry_down, carry_full;
@@ -149,20 +161,17 @@ module slb_winding #(
       .b_address_i(clear ? clear_line : mark_index_i[2*P-1:SLOT_BITS]), .b_word_i(!clear), .b_word_o(unused_line)
     );
   end
-  // The carry goes with every line of its row, and is cleared with the last.
-  logic              row_ends;
+  // The carry counts with the first line of its row that is read.
   logic [CHANGE-1:0] read_carry, unused_carry;
   logic [P-1:0]      clear_row;
   if (LINE_BITS > P) begin : gen_lines_a_row
-    assign row_ends  = read_line[LINE_BITS-P-1:0] == '1;
     assign clear_row = scrub_i ? scrub_line_i[P-1:0] : read_line[LINE_BITS-1-:P];
   end else begin : gen_line_a_row
-    assign row_ends  = 1'b1;
     assign clear_row = clear_line;
   end
   plane_bank #(.ADDRESS_BITS(P), .WIDTH(CHANGE)) u_carries (
     .clk_i, .a_read_i(read || to_carry), .a_address_i(read ? read_line[LINE_BITS-1-:P] : wind_row_i[P-1:0]),
-    .a_word_o(read_carry), .b_read_i(1'b0), .b_write_i(scrub_i || (read && row_ends) || carry_write),
+    .a_word_o(read_carry), .b_read_i(1'b0), .b_write_i(scrub_i || (read && row_begins) || carry_write),
     .b_address_i(carry_write ? carry_index : clear_row), .b_word_i(carry_write ? carry_word : '0),
     .b_word_o(unused_carry)
   );
@@ -177,20 +186,50 @@ module slb_winding #(
   assign pixel_ram = changes[slot*CHANGE+:CHANGE];
 
   logic read_idle;
+  assign row_begins = read_item_i[ITEM-1];
   plane_read_port #(
-    .INDEX_BITS(LINE_BITS), .TAG_BITS(LINE_BITS), .ENTRY_BITS(WORD), .READ_LATENCY(READ_LATENCY)
+    .INDEX_BITS(LINE_BITS), .TAG_BITS(ITEM), .ENTRY_BITS(WORD), .READ_LATENCY(READ_LATENCY)
   ) u_read (
-    .clk_i, .rst_ni, .request_valid_i(read_valid_i), .request_ready_o(read_ready_o), .request_index_i(read_line_i),
-    .request_tag_i(read_line_i), .ram_free_i(!scrub_i), .ram_read_o(read), .ram_index_o(read_line),
-    .ram_entry_i({carry_ram, lines, changes}), .response_valid_o(word_valid_o), .response_ready_i(word_ready_i),
-    .response_entry_o(word_o), .response_tag_o(word_line_o), .idle_o(read_idle)
+    .clk_i, .rst_ni, .request_valid_i(read_valid_i), .request_ready_o(read_ready_o),
+    .request_index_i(read_item_i[LINE_BITS-1:0]), .request_tag_i(read_item_i), .ram_free_i(!scrub_i),
+    .ram_read_o(read), .ram_index_o(read_line), .ram_entry_i({carry_ram, lines, changes}),
+    .response_valid_o(word_valid_o), .response_ready_i(word_ready_i), .response_entry_o(word_o),
+    .response_tag_o(word_item_o), .idle_o(read_idle)
   );
 
-  assign idle_o = pixel_idle && carry_idle && read_idle;
+  // ---- Lines touched: a bit for each, those of a span side by side ----
+  logic                 span_read, span_idle;
+  logic [SPANS-1:0]     span_index, span_write_index;
+  logic [LINE_BITS-1:0] span_line;  // scrubbed or touched
+  logic [SPAN-1:0]      read_touched, touched;
+  assign span_line        = scrub_i ? scrub_line_i : mark_index_i[2*P-1:SLOT_BITS];
+  assign span_write_index = span_read ? span_index : span_line[LINE_BITS-1:SPAN_BITS];
+  for (genvar i = 0; i < SPAN; i++) begin : gen_touched
+    logic unused_touched;
+    plane_bank #(.ADDRESS_BITS(SPANS), .WIDTH(1)) u_bank (
+      .clk_i, .a_read_i(span_read), .a_address_i(span_index), .a_word_o(read_touched[i]), .b_read_i(1'b0),
+      .b_write_i(span_read || ((scrub_i || mark_i) && (span_line & LINE_BITS'(SPAN - 1)) == LINE_BITS'(i))),
+      .b_address_i(span_write_index), .b_word_i(!span_read && !scrub_i), .b_word_o(unused_touched)
+    );
+  end
+  delay_line #(.WIDTH(SPAN), .CYCLES(READ_LATENCY - 1)) u_touched_delay (
+    .clk_i, .data_i(read_touched), .data_o(touched)
+  );
+  plane_read_port #(
+    .INDEX_BITS(SPANS), .TAG_BITS(SPANS), .ENTRY_BITS(SPAN), .READ_LATENCY(READ_LATENCY)
+  ) u_spans (
+    .clk_i, .rst_ni, .request_valid_i(span_valid_i), .request_ready_o(span_ready_o), .request_index_i(span_i),
+    .request_tag_i(span_i), .ram_free_i(!scrub_i), .ram_read_o(span_read), .ram_index_o(span_index),
+    .ram_entry_i(touched), .response_valid_o(span_word_valid_o), .response_ready_i(span_word_ready_i),
+    .response_entry_o(span_word_o), .response_tag_o(span_word_span_o), .idle_o(span_idle)
+  );
+
+  assign idle_o = pixel_idle && carry_idle && read_idle && span_idle;
 
   logic unused_at;
   assign unused_at = ^{pixel_at, carry_at};
 
-  `GNOMON_ASSERT(a_fill_after_walk, !(read && (to_pixel || to_carry || mark_i || pixel_write || carry_write)))
+  `GNOMON_ASSERT(a_fill_after_walk,
+                 !((read || span_read) && (to_pixel || to_carry || mark_i || pixel_write || carry_write)))
 
 endmodule

@@ -21,10 +21,11 @@ inline constexpr std::array<std::string_view, 10> kSlbOutlineFaults{
     "SLB_EXACT_ALWAYS", "SLB_LAST_OF_EQUAL", "SLB_NO_SPIKES",   "SLB_CORNER_BY_SIDES", "SLB_COUNT_CLOSE"};
 
 /// Its back end and what it shares with the projection unit, one build with all of them: tests/rtl/slb.
-inline constexpr std::array<std::string_view, 13> kSlbFaults{
-    "SLB_EVICT_EARLIER", "SLB_FORGET_CENTRE", "SLB_KEEP_CORNER",    "SLB_FIRST_LINE",  "SLB_WRAP_WINDING",
-    "SLB_LOSE_CARRY",    "SLB_KEEP_LINES",    "SLB_COVER_ALL_ROWS", "SLB_LAST_OBJECT", "SLB_OPEN_HALF_PLANE",
-    "NO_FORWARDING",     "KEEP_GENERATION",   "SKIP_BARRIER"};
+inline constexpr std::array<std::string_view, 16> kSlbFaults{
+    "SLB_EVICT_EARLIER",   "SLB_FORGET_CENTRE", "SLB_KEEP_CORNER",    "SLB_FIRST_LINE",
+    "SLB_WRAP_WINDING",    "SLB_LOSE_CARRY",    "SLB_FORGET_PLAIN",   "SLB_PLAIN_BEFORE",
+    "SLB_ENTRY_ALONE",     "SLB_KEEP_LINES",    "SLB_COVER_ALL_ROWS", "SLB_LAST_OBJECT",
+    "SLB_OPEN_HALF_PLANE", "NO_FORWARDING",     "KEEP_GENERATION",    "SKIP_BARRIER"};
 
 /// Topology mode and the perspective projection, one build with all of them: tests/rtl/perspective.
 inline constexpr std::array<std::string_view, 15> kProjectionFaults{
@@ -39,8 +40,12 @@ inline constexpr std::array<std::string_view, 15> kProjectionFaults{
 inline constexpr std::array<std::string_view, 5> kFrameFaults{
     "FRAME_FIRST_STATE", "FRAME_KEEP_AGAIN", "FRAME_LAYER_ZERO", "FRAME_SHARE_WORDS", "NO_FORWARDING"};
 
+/// The caches before planes and lists in memory, one build with all of them: tests/rtl/cache.
+inline constexpr std::array<std::string_view, 4> kCacheFaults{"CACHE_LOSE_WRITE_BACK", "CACHE_FETCH_EARLY",
+                                                              "CACHE_KEEP_TOUCHED", "NO_FORWARDING"};
+
 /// All of them. A fault may stand in several.
-inline constexpr std::array<std::span<const std::string_view>, 5> kFaultLists{
-    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kProjectionFaults, kFrameFaults};
+inline constexpr std::array<std::span<const std::string_view>, 6> kFaultLists{
+    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kProjectionFaults, kFrameFaults, kCacheFaults};
 
 }  // namespace gnomon::stimulus

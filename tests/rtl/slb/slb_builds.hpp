@@ -91,13 +91,13 @@ struct SlbBuild<Vslb_deep> {
   }
 };
 
-/// Holds seeded faults, to be chosen by a plusarg.
+/// Holds seeded faults, to be chosen by a plusarg; none is chosen by itself. A row has a whole span of lines.
 template <>
 struct SlbBuild<Vslb_faulty> {
   static golden::HardwareConfig config() {
     golden::HardwareConfig config = slb_base();
     config.en_vpu_offset = false;
-    config.slb_plane_log2 = 4;
+    config.slb_plane_log2 = 6;
     config.frac_bits = config.slope_bits = 4;
     config.subpixel_bits = config.query_bits = 7;
     config.depth_bits = 8;

@@ -29,6 +29,7 @@ std::vector<Case> cases() {
     cases.push_back({random_slb_stream(seed, config), {}, {}});
     if (seed <= 6) cases.push_back({crowded_slb_stream(seed, config), {}, {}});
     if (seed <= 2) cases.push_back({piled_slb_stream(seed, config), {}, {}});
+    if (seed <= 4) cases.push_back({wide_slb_stream(seed, config), {}, {}});
   }
   const auto golden = golden::make_golden_engine(config);
   for (Case& one : cases) {

@@ -104,6 +104,55 @@ class Crowd {
   std::vector<Word> words_;
 };
 
+/// Objects with wide insides and outsides, also beyond the plane, and a sample in every pixel after each.
+class Wide {
+ public:
+  Wide(std::uint64_t seed, const SlbConfig& config) : random_(seed), config_(config) {}
+
+  std::vector<Word> stream() {
+    for (int object = 0; object < 5; ++object) draw(object);
+    append_dump(words_, config_);
+    return std::move(words_);
+  }
+
+ private:
+  std::uint32_t depth() {
+    return static_cast<std::uint32_t>(random_.integer(3, 9)) * (config_.no_depth() / 12);
+  }
+
+  /// A star about any point; its outline may lie wholly outside of the plane, to its left or around it.
+  void loop(bool hole) {
+    const double side = config_.side(), radius = random_.between(0.1, 0.7) * side;
+    const slb_stimulus::Point centre{random_.between(-0.5, 1.2) * side, random_.between(0, side)};
+    auto polygon =
+        slb_stimulus::star(random_, static_cast<int>(random_.integer(3, 9)), 0.4 * radius, radius, centre);
+    if (hole) std::reverse(polygon.begin(), polygon.end());
+    std::vector<Word> items;
+    for (const auto& vertex : slb_stimulus::quantise(polygon, config_, depth()))
+      items.push_back(encode(vertex, config_));
+    append(words_, slb_command(SlbOp::Loop, 0, 0, items));
+  }
+
+  void draw(int object) {
+    const bool flat = object % 2 == 1;
+    append(words_, slb_command(SlbOp::BeginObject, flat ? golden::slb::kBeginFlat : 0,
+                               static_cast<std::uint32_t>(object) << 24 | depth(), {}));
+    for (std::int64_t loops = random_.integer(1, 4); loops > 0; --loops) loop(random_.integer(0, 3) == 0);
+    append(words_, slb_command(SlbOp::Fill, 0, 0, {}));
+    for (int row = 0; row < config_.side(); ++row) {
+      std::vector<Word> samples;
+      for (int column = 0; column < config_.side(); ++column)
+        samples.push_back(encode(golden::slb::CoverSample{column, row, depth(), 3}, config_));
+      append(words_, slb_command(SlbOp::Cover, 0, 0, samples));
+    }
+    append(words_, slb_command(SlbOp::EndObject, 0, 0, {}));
+  }
+
+  slb_stimulus::Random random_;
+  SlbConfig config_;
+  std::vector<Word> words_;
+};
+
 }  // namespace
 
 std::vector<Word> slb_command(SlbOp op, std::uint8_t flags, std::uint32_t arg,
@@ -177,6 +226,10 @@ std::vector<Word> clearing_slb_stream(const HardwareConfig& config) {
     if (clears == 1 || clears >= 254) append_dump(words, config.slb_config());
   }
   return words;
+}
+
+std::vector<Word> wide_slb_stream(std::uint64_t seed, const HardwareConfig& config) {
+  return Wide(seed, config.slb_config()).stream();
 }
 
 std::vector<Word> crowded_slb_stream(std::uint64_t seed, const HardwareConfig& config) {

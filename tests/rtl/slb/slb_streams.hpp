@@ -17,6 +17,10 @@ std::vector<golden::Word> random_slb_stream(std::uint64_t seed, const golden::Ha
 /// they hold, with samples of COVER in every pixel after each; queries all over; then as above.
 std::vector<golden::Word> crowded_slb_stream(std::uint64_t seed, const golden::HardwareConfig& config);
 
+/// Large objects, flat and not, on the plane, beside it and around it, with holes, and a sample of COVER in
+/// every pixel after each; then as above.
+std::vector<golden::Word> wide_slb_stream(std::uint64_t seed, const golden::HardwareConfig& config);
+
 /// 150 polygons one on the other in one object, reaching off the plane to the left, in either sense: sums of
 /// winding numbers and of corners saturate. Then as above.
 std::vector<golden::Word> piled_slb_stream(std::uint64_t seed, const golden::HardwareConfig& config);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cycles of the silhouette-line buffer: a crossing, a query, a sample, 16 pixels of a fill, a word of a dump;
-// and what waits are blamed on.
+// Cycles of the silhouette-line buffer: a crossing, a query, a sample, an entry and a span of a fill, a word
+// of a dump; and what waits are blamed on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,13 +83,62 @@ TEST(SlbThroughput, ACrossingACycleOnSmoothOutlines) {
   }
 }
 
-TEST(SlbThroughput, SixteenPixelsOfAFillACycleAndOneWithLines) {
-  const SlbConfig config = SlbBuild<Vslb_default>::config().slb_config();
-  StreamBench<Vslb_default> bench(1);
-  bench.run(object(curve(config, 12, 1), 1));
-  const std::uint64_t steps = slb_event(bench, "SLB_FILL_PIXELS") / 16 + slb_event(bench, "SLB_FILL_GROUPS");
-  EXPECT_GT(slb_event(bench, "SLB_FILL_PIXELS"), 24u * 32);
-  EXPECT_LE(pass_cycles(bench, kFill), steps + 12);  // the pipeline fills once
+/// Left to right and bottom to top, in pixels; their borders run through the middle of pixels.
+struct Box {
+  std::int64_t left, bottom, right, top;
+};
+
+/// Cycles of the fill of an object of boxes, on a plane of 64 pixels a side: a row is a span of four lines.
+struct Fill {
+  std::uint64_t cycles, pixels, groups, covered;
+};
+Fill fill_of(const std::vector<Box>& boxes, bool flat) {
+  const SlbConfig config = SlbBuild<Vslb_faulty>::config().slb_config();
+  const auto corner = [&](std::int64_t x, std::int64_t y) {
+    const std::int64_t half = config.subpixels() / 2;
+    return encode(golden::slb::Vertex{x * config.subpixels() + half, y * config.subpixels() + half, 5},
+                  config);
+  };
+  std::vector<Word> words =
+      slb_command(SlbOp::BeginObject, flat ? golden::slb::kBeginFlat : 0, 1u << 24 | 5, {});
+  for (const Box& box : boxes)
+    append(words, slb_command(SlbOp::Loop, 0, 0,
+                              {corner(box.left, box.bottom), corner(box.right, box.bottom),
+                               corner(box.right, box.top), corner(box.left, box.top)}));
+  append(words, slb_command(SlbOp::Fill, 0, 0, {}));
+  StreamBench<Vslb_faulty> bench(1);
+  bench.run(words);
+  return {pass_cycles(bench, kFill), slb_event(bench, "SLB_FILL_PIXELS"), slb_event(bench, "SLB_FILL_GROUPS"),
+          slb_event(bench, "SLB_FILL_COVERED")};
+}
+
+constexpr std::uint64_t kFillStart = 9;  // a header, and the pipeline that fills once
+
+TEST(SlbThroughput, AFillTakesACycleForAnEntryWithLines) {
+  const Fill fill = fill_of({{4, 4, 59, 59}}, false);
+  EXPECT_EQ(fill.pixels, 56u * 64);
+  EXPECT_EQ(fill.groups, 4u * 55);
+  EXPECT_EQ(fill.covered, 54u * 54);
+  EXPECT_EQ(fill.cycles, fill.groups + kFillStart);  // the plain lines between them go along
+}
+
+TEST(SlbThroughput, AFillTakesACycleForASpanWithoutLines) {
+  const Fill fill = fill_of({{4, 2, 5, 3}, {4, 60, 5, 61}}, false);
+  EXPECT_EQ(fill.pixels, 60u * 64);
+  EXPECT_EQ(fill.groups, 8u);
+  EXPECT_EQ(fill.cycles, fill.groups + 56 + kFillStart);
+}
+
+TEST(SlbThroughput, AFillOfAFlatObjectTakesACycleForACoveredLine) {
+  const Fill fill = fill_of({{4, 4, 59, 59}}, true);
+  EXPECT_EQ(fill.covered, 54u * 54);
+  EXPECT_EQ(fill.cycles, fill.groups + 2u * 54 + kFillStart);  // the two lines in the middle of a row
+}
+
+TEST(SlbThroughput, AFillOfAnObjectThatTouchesNoRowTakesNothing) {
+  const Fill fill = fill_of({}, false);
+  EXPECT_EQ(fill.pixels, 0u);
+  EXPECT_EQ(fill.cycles, 2u);
 }
 
 TEST(SlbThroughput, AQueryAndASampleACycle) {

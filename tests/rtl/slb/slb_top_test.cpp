@@ -83,6 +83,15 @@ TYPED_TEST(SlbTop, AnswersCrowdedPixelsAsGolden) {
   EXPECT_GT(this->compared_, 10'000u);
 }
 
+TYPED_TEST(SlbTop, AnswersSamplesOfEveryPixelAsGolden) {
+  for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+    const Stalls stalls = seed % 2 == 0 ? Stalls{150, 150} : Stalls{};
+    this->compare("wide", wide_slb_stream(seed, SlbBuild<TypeParam>::config()), stalls, seed);
+    if (this->HasFatalFailure()) return;
+  }
+  EXPECT_GT(this->compared_, 1'000u);
+}
+
 TYPED_TEST(SlbTop, AnswersPointsOnLinesAsGolden) {
   this->compare("diagonal", diagonal_slb_stream(SlbBuild<TypeParam>::config()), {}, 1);
 }
