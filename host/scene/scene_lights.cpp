@@ -93,7 +93,7 @@ Result<Vec3> read_aim(const Document& document, const Pointer& at, const Vec3& p
   if (!aimed && !has(document, at, "direction"))
     return document.refuse(at, key_of(at) + " is a spot light and has neither direction nor target");
   if (!aimed) return read_direction(document, at / "direction");
-  const Result<Vec3> target = read_position(document, at, "target", "spot");
+  Result<Vec3> target = read_position(document, at, "target", "spot");
   if (!target) return target;
   const Vec3 way = *target - position;
   if (way.length() == 0)

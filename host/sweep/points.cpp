@@ -15,6 +15,7 @@ constexpr std::size_t kMostCombinations = 10000000;
 
 std::vector<std::size_t> sizes(const std::vector<Axis>& axes) {
   std::vector<std::size_t> sizes;
+  sizes.reserve(axes.size());
   for (const Axis& axis : axes) sizes.push_back(axis.values.size());
   return sizes;
 }
