@@ -31,8 +31,7 @@ std::vector<std::string> all_words() {
       words.insert(words.end(), parameter.words.begin(), parameter.words.end());
   }
   std::ranges::sort(words);
-  const auto repeated = std::ranges::unique(words);
-  words.erase(repeated.begin(), repeated.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
   return words;
 }
 
