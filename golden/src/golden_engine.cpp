@@ -2,17 +2,11 @@
 // The command processor of docs/command-stream.md around the arithmetic of vpu.hpp, topology/unit.hpp,
 // frame/unit.hpp and slb/unit.hpp.
 #include <algorithm>
-#include <gnomon/golden/codec.hpp>
-#include <gnomon/golden/command.hpp>
-#include <gnomon/golden/frame/unit.hpp>
 #include <gnomon/golden/golden_engine.hpp>
-#include <gnomon/golden/slb/unit.hpp>
-#include <gnomon/golden/topology/unit.hpp>
-#include <gnomon/golden/vpu.hpp>
 #include <stdexcept>
 #include <utility>
 
-#include "plane.hpp"
+#include "engine_state.hpp"
 #include "resolve.hpp"
 
 namespace gnomon::golden {
@@ -23,57 +17,30 @@ HardwareConfig checked(const HardwareConfig& config) {
   return config;
 }
 
-struct Events {
-  std::uint64_t commands = 0, errors = 0;
-  std::uint64_t projected = 0, project_off_plane = 0, project_saturated = 0, plane_writes = 0;
-  std::uint64_t resolved = 0, resolved_facing_away = 0, resolved_uncertain = 0, resolved_offset_empty = 0,
-                resolved_shadow = 0;
-  // With EN_PERSPECTIVE.
-  std::uint64_t project_behind = 0, resolved_behind = 0, resolved_outside_cone = 0;
-};
-
-/// Everything that a reset brings back to its first value.
-struct State {
-  explicit State(const HardwareConfig& config)
-      : vpu(config),
-        plane(static_cast<std::size_t>(config.plane_side()) * static_cast<std::size_t>(config.plane_side())),
-        topology(config.en_vpu_topology ? std::make_unique<topology::TopologyUnit>(config.topology_config())
-                                        : nullptr),
-        frame(config.en_frame_buffer ? std::make_unique<frame::FrameUnit>(config.frame_config()) : nullptr),
-        slb(config.en_slb ? std::make_unique<slb::SlbUnit>(config.slb_config()) : nullptr),
-        sequence(config) {}
-
-  Vpu vpu;
-  Plane plane;
-  std::unique_ptr<topology::TopologyUnit> topology;  ///< only with EN_VPU_TOPOLOGY
-  std::unique_ptr<frame::FrameUnit> frame;           ///< only with EN_FRAME_BUFFER
-  std::unique_ptr<slb::SlbUnit> slb;                 ///< only with EN_SLB
-  CommandSequence sequence;
-  Events events;
-  std::uint32_t sticky = 0;
-  Header command;             ///< the command in progress
-  bool ignore_items = false;  ///< it is a NOP or in error
-  std::uint32_t items_taken = 0;
-  std::vector<Word> results;
-
-  bool between_commands() const { return items_taken == command.count; }
-};
+HardwareTiming checked(const HardwareTiming& timing) {
+  if (const auto error = timing.check()) throw std::invalid_argument(*error);
+  return timing;
+}
 
 class GoldenEngine final : public Engine {
  public:
-  explicit GoldenEngine(const HardwareConfig& config) : config_(checked(config)), state_(config_) {}
+  GoldenEngine(const HardwareConfig& config, const std::optional<HardwareTiming>& timing)
+      : config_(checked(config)), timing_(timing), state_(config_, timing_) {}
 
   std::string_view name() const override { return "golden"; }
   const HardwareConfig& config() const override { return config_; }
-  void reset() override { state_ = State(config_); }
+  void reset() override { state_ = State(config_, timing_); }
 
   void submit(std::span<const Word> words) override;
   void drain(const ResultSink& sink) override;
   Counters counters() const override;
   std::vector<std::uint32_t> read_plane() override;
+  /// Only of the timed engine.
+  CycleTable predicted() const { return state_.clock->model.table(); }
 
  private:
   void take_header(Word word);
+  void execute(const Header& header);
   void take_items(std::span<const Word> items);
   void begin_slb(const Header& header);
   void begin_topology(const Header& header);
@@ -85,7 +52,12 @@ class GoldenEngine final : public Engine {
   void project(std::span<const Word> items);
   void resolve(std::span<const Word> items, bool two_sided);
 
+  void cover(std::span<const Word> items);
+  void tell_items(std::span<const Word> items);
+  void tell_lists(std::size_t items);
+
   HardwareConfig config_;
+  std::optional<HardwareTiming> timing_;
   State state_;
 };
 
@@ -121,8 +93,13 @@ void GoldenEngine::take_header(Word word) {
     ++state_.events.errors;
     state_.sticky |= kStickyErrorSeen;
     state_.results.push_back(encode(ErrorResult{static_cast<std::uint8_t>(*error), index}));
-    return;
+  } else {
+    execute(header);
   }
+  if (state_.clock) state_.clock->model.header(header, error.has_value(), state_.clock->fill);
+}
+
+void GoldenEngine::execute(const Header& header) {
   if (slb::is_slb_op(header.op)) return begin_slb(header);
   if (topology::is_topology_op(header.op)) return begin_topology(header);
   if (frame::is_frame_op(header.op))
@@ -144,11 +121,14 @@ void GoldenEngine::take_header(Word word) {
 }
 
 void GoldenEngine::take_items(std::span<const Word> items) {
+  if (state_.clock) tell_items(items);
   if (state_.ignore_items) return;
   const Header& header = state_.command;
+  if (state_.clock && header.op == static_cast<std::uint8_t>(slb::SlbOp::Cover)) return cover(items);
   if (slb::is_slb_op(header.op)) return give(state_.slb->take(items));
   if (topology::is_topology_op(header.op)) {
     const std::vector<Word> results = state_.topology->take(items);
+    if (state_.clock) tell_lists(items.size());
     const bool states = header.op == static_cast<std::uint8_t>(topology::TopologyOp::ResolveTopology);
     return states ? give_states(items, results) : give(results);
   }
@@ -166,6 +146,38 @@ void GoldenEngine::take_items(std::span<const Word> items) {
     default:
       break;  // the items of a NOP
   }
+}
+
+/// Those whose cycles depend on what becomes of them tell it themselves.
+void GoldenEngine::tell_items(std::span<const Word> items) {
+  const std::uint8_t op = state_.command.op;
+  cycles::CycleModel& clock = state_.clock->model;
+  if (state_.ignore_items) return clock.items(items.size());
+  if (op == static_cast<std::uint8_t>(slb::SlbOp::Loop)) return clock.vertices(items);
+  if (op == static_cast<std::uint8_t>(slb::SlbOp::Cover)) return;
+  if (op == static_cast<std::uint8_t>(Op::ProjectVoxels) || topology::is_topology_op(op)) return;
+  clock.items(items.size());
+}
+
+void GoldenEngine::tell_lists(std::size_t items) {
+  state_.clock->model.items(items, state_.clock->lists);
+  state_.clock->lists = {};
+}
+
+/// Item by item, to see which of them go to the memory, and which change it.
+void GoldenEngine::cover(std::span<const Word> items) {
+  const slb::FillSweep& swept = state_.clock->fill;
+  const slb::SlbModel& model = state_.slb->model();
+  cycles::ItemWork work{.items = items.size()};
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const slb::CoverSample sample = slb::decode_cover(items[i], model.config());
+    const bool column_on = sample.column >= 0 && sample.column < model.config().side();
+    if (column_on && sample.row >= swept.first_row && sample.row <= swept.last_row) work.last_updating = i;
+    const std::uint64_t used = model.counters().covers_used;
+    state_.slb->take(items.subspan(i, 1));
+    if (model.counters().covers_used != used) work.last_writing = i;
+  }
+  state_.clock->model.items(work);
 }
 
 void GoldenEngine::begin_slb(const Header& header) {
@@ -226,26 +238,31 @@ void GoldenEngine::set_registers(std::span<const Word> values) {
 
 void GoldenEngine::project(std::span<const Word> items) {
   std::uint64_t off_plane = 0, saturated = 0, writes = 0;
-  const auto keep = [&](const PlanePoint& point) {
+  cycles::ItemWork work{.items = items.size()};
+  const auto keep = [&](const PlanePoint& point, std::size_t number) {
     if (!point.on_plane) {
       ++off_plane;
       return;
     }
+    work.last_updating = number;
     saturated += point.saturated;
-    writes += state_.plane.keep_nearest(state_.vpu.index(point), point.depth);
+    if (!state_.plane.keep_nearest(state_.vpu.index(point), point.depth)) return;
+    work.last_writing = number;
+    ++writes;
   };
   std::uint64_t behind = 0;
-  if (state_.vpu.in_perspective()) {
-    for (const Word word : items) {
-      const perspective::Sight sight = state_.vpu.see(decode_voxel(word, config_));
-      if (sight.behind)
-        ++behind;
-      else
-        keep(state_.vpu.land(sight));
+  const bool in_perspective = state_.vpu.in_perspective();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const VoxelItem item = decode_voxel(items[i], config_);
+    if (!in_perspective) {
+      keep(state_.vpu.land(state_.vpu.accumulate(item)), i);
+    } else if (const perspective::Sight sight = state_.vpu.see(item); sight.behind) {
+      ++behind;
+    } else {
+      keep(state_.vpu.land(sight), i);
     }
-  } else {
-    for (const Word word : items) keep(state_.vpu.land(state_.vpu.accumulate(decode_voxel(word, config_))));
   }
+  if (state_.clock) state_.clock->model.items(work);
   if (behind != 0) state_.sticky |= kStickyBehindLight;
   state_.events.project_behind += behind;
   if (off_plane != 0) state_.sticky |= kStickyOffPlane;
@@ -279,24 +296,7 @@ void GoldenEngine::resolve(std::span<const Word> items, bool two_sided) {
 }
 
 Counters GoldenEngine::counters() const {
-  const Events& events = state_.events;
-  Counters counters{.events = {{"COMMANDS", events.commands},
-                               {"ERRORS", events.errors},
-                               {"VOXELS_PROJECTED", events.projected},
-                               {"PROJECT_OFF_PLANE", events.project_off_plane},
-                               {"PROJECT_SATURATED", events.project_saturated},
-                               {"PLANE_WRITES", events.plane_writes},
-                               {"VOXELS_RESOLVED", events.resolved},
-                               {"RESOLVED_FACING_AWAY", events.resolved_facing_away},
-                               {"RESOLVED_UNCERTAIN", events.resolved_uncertain},
-                               {"RESOLVED_OFFSET_EMPTY", events.resolved_offset_empty},
-                               {"RESOLVED_SHADOW", events.resolved_shadow}},
-                    .cycles = {}};
-  if (config_.en_perspective) {
-    counters.events["PROJECT_BEHIND"] = events.project_behind;
-    counters.events["RESOLVED_BEHIND"] = events.resolved_behind;
-    counters.events["RESOLVED_OUTSIDE_CONE"] = events.resolved_outside_cone;
-  }
+  Counters counters{.events = named(state_.events, config_.en_perspective), .cycles = {}};
   if (state_.slb) {
     for (const auto& [name, count] : slb::named(state_.slb->model().counters()))
       counters.events[name] = count;
@@ -304,6 +304,7 @@ Counters GoldenEngine::counters() const {
   if (state_.frame) {
     for (const auto& [name, count] : frame::named(state_.frame->counters())) counters.events[name] = count;
   }
+  if (state_.clock) counters.cycles = state_.clock->model.table().named();
   if (state_.topology) {
     for (const auto& [name, count] :
          topology::named(state_.topology->lists().counters(), config_.en_perspective))
@@ -324,7 +325,18 @@ std::vector<std::uint32_t> GoldenEngine::read_plane() {
 }  // namespace
 
 std::unique_ptr<Engine> make_golden_engine(const HardwareConfig& config) {
-  return std::make_unique<GoldenEngine>(config);
+  return std::make_unique<GoldenEngine>(config, std::nullopt);
+}
+
+std::unique_ptr<Engine> make_timed_golden_engine(const HardwareConfig& config, const HardwareTiming& timing) {
+  return std::make_unique<GoldenEngine>(config, checked(timing));
+}
+
+CycleTable predict_cycles(const HardwareConfig& config, const HardwareTiming& timing,
+                          std::span<const Word> words) {
+  GoldenEngine engine(config, checked(timing));
+  engine.submit(words);
+  return engine.predicted();
 }
 
 }  // namespace gnomon::golden

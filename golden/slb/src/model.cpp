@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wires walker, store, winding and query together, and counts.
+#include <algorithm>
 #include <gnomon/golden/slb/model.hpp>
 #include <stdexcept>
 #include <string>
@@ -135,8 +136,10 @@ void SlbModel::cross_row(std::int64_t column, std::int64_t row, bool upwards) {
 void SlbModel::fill() {
   require(state_ == State::Object, "a fill outside an object or after its fill");
   state_ = State::Filled;
+  if (sweep_) *sweep_ = {winding_.first_row(), winding_.last_row(), {}};
   for (int row = winding_.first_row(); row <= winding_.last_row(); ++row) {
     const std::span<const Winding::Pixel> swept = winding_.take_row(row);
+    if (sweep_) note_row(swept);
     for (int column = 0; column < config_.side(); ++column) {
       const auto i = static_cast<std::size_t>(column);
       ++counters_.fill_pixels;
@@ -152,6 +155,16 @@ void SlbModel::fill() {
       ++counters_.fill_covered;
       if (flat_) store_.lower_full_depth(column, row, depth_);
     }
+  }
+}
+
+void SlbModel::note_row(std::span<const Winding::Pixel> row) {
+  const std::size_t pixels = std::min<std::size_t>(kLinePixels, row.size());
+  for (std::size_t first = 0; first < row.size(); first += pixels) {
+    const auto line = row.subspan(first, pixels);
+    const auto groups =
+        std::count_if(line.begin(), line.end(), [](const auto& pixel) { return pixel.lines; });
+    sweep_->lines.push_back({static_cast<std::uint8_t>(groups), line.back().winding >= 1});
   }
 }
 

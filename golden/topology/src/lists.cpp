@@ -72,6 +72,7 @@ void QuadLists::put_behind(bool all_corners) {
   ++counters_.quads_put;
   ++(all_corners ? counters_.quads_behind : counters_.quads_straddling);
   sticky_.behind_light = true;
+  note_quad(0);
 }
 
 QuadLists::Box QuadLists::box_of(const std::array<Corner, 4>& corners, int sub_bits) {
@@ -103,7 +104,9 @@ void QuadLists::put(const std::array<Corner, 4>& corners) {
     return Range{std::max<std::int64_t>(r.low, 0), std::min(r.high, config_.side() - 1)};
   };
   const Box clipped{clip(box.u), clip(box.v)};
-  if (!meets_plane(corners, box, clipped)) return;
+  if (!meets_plane(corners, box, clipped)) return note_quad(0);
+  note_quad(static_cast<std::uint64_t>((clipped.u.high - clipped.u.low + 1) *
+                                       (clipped.v.high - clipped.v.low + 1)));
 
   const std::int64_t span = std::int64_t{1} << config_.span_log2;
   const bool small = box.u.high - box.u.low < span && box.v.high - box.v.low < span;
@@ -147,6 +150,7 @@ Walk QuadLists::walk(const Beam& beam, std::uint32_t clearance, bool sorted) {
   for (std::uint32_t n = head.node; n != kNoNode && !walk.hit; n = nodes_[n].next) {
     const Node& node = nodes_[n];
     ++walk.visited;
+    note_node(nearer(node.far));
     if (!nearer(node.far)) {
       if (sorted) break;
       continue;

@@ -125,6 +125,7 @@ void TopologyUnit::put_in_perspective(const std::array<Item, 4>& corners) {
 
 TopologyResult TopologyUnit::resolve(const Item& voxel, bool two_sided, std::uint32_t clearance,
                                      bool sorted) {
+  lists_.note_voxel();
   const TopologyResult result = registers_.perspective.perspective
                                     ? answer_in_perspective(voxel, two_sided, clearance, sorted)
                                     : answer(voxel, two_sided, clearance, sorted);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace gnomon::golden::slb {
 
@@ -59,6 +60,19 @@ struct CoverSample {
   std::uint32_t range = 0;  ///< 0..31: nowhere in the pixel is it nearer than depth - (2^range - 1)
 };
 
+/// What FILL met in a line of pixels; a row is cut into lines of kLinePixels, or is one if it has fewer.
+struct FillLine {
+  std::uint8_t groups = 0;  ///< pixels with lines
+  bool covered = false;     ///< the object wholly covers the line's last pixel, by its winding number
+};
+inline constexpr int kLinePixels = 16;
+
+/// How much work FILL of one object was: no answer depends on it.
+struct FillSweep {
+  int first_row = 0, last_row = -1;  ///< rows swept; none if the first is beyond the last
+  std::vector<FillLine> lines;       ///< of these rows
+};
+
 /// Calls out of order (a loop without an object, a query inside one) throw std::logic_error.
 class SlbModel {
  public:
@@ -98,8 +112,11 @@ class SlbModel {
   const SlbCounters& counters() const { return counters_; }
   const SlbSticky& sticky() const { return sticky_; }
   void clear_sticky() { sticky_ = SlbSticky{}; }
+  /// Every FILL from now on tells `sweep` what it met. Null: no longer. Not owned.
+  void watch_fill(FillSweep* sweep) { sweep_ = sweep; }
 
  private:
+  void note_row(std::span<const Winding::Pixel> row);
   bool on_plane(std::int64_t column, std::int64_t row) const;
   void require(bool condition, const char* what) const;
   void put(Chain chain);
@@ -115,6 +132,7 @@ class SlbModel {
   std::uint32_t depth_ = 0;
   SlbCounters counters_;
   SlbSticky sticky_;
+  FillSweep* sweep_ = nullptr;
 };
 
 }  // namespace gnomon::golden::slb

@@ -67,6 +67,13 @@ struct Walk {
   std::uint64_t visited = 0, tested = 0;
 };
 
+/// How much work quads and voxels were: no answer depends on it.
+struct ListWork {
+  std::vector<std::uint64_t> quads;   ///< entries that each quad put was offered to; 0 if it was not linked
+  std::vector<std::uint32_t> voxels;  ///< nodes visited for each voxel resolved
+  std::vector<std::uint8_t> tested;   ///< for each of these nodes: its quad was tested
+};
+
 class QuadLists {
  public:
   /// `config` must pass check(); throws std::invalid_argument otherwise.
@@ -93,6 +100,12 @@ class QuadLists {
   const TopologyCounters& counters() const { return counters_; }
   const TopologySticky& sticky() const { return sticky_; }
   void clear_sticky() { sticky_ = {}; }
+  /// Everything from now on is added to `work`. Null: no longer. Not owned.
+  void watch(ListWork* work) { work_ = work; }
+  /// A voxel is resolved; what its walk visits counts for it.
+  void note_voxel() {
+    if (work_) work_->voxels.push_back(0);
+  }
 
  private:
   static constexpr std::uint32_t kNoNode = 0xFFFFFFFF;
@@ -120,6 +133,14 @@ class QuadLists {
 
   void link(std::size_t index, std::uint32_t quad, std::uint32_t far, bool storable);
   std::uint32_t next_number();
+  void note_quad(std::uint64_t entries) {
+    if (work_) work_->quads.push_back(entries);
+  }
+  void note_node(bool tested) {
+    if (!work_) return;
+    ++work_->voxels.back();
+    work_->tested.push_back(tested ? 1 : 0);
+  }
   static Box box_of(const std::array<Corner, 4>& corners, int sub_bits);
   bool meets_plane(const std::array<Corner, 4>& corners, const Box& box, const Box& clipped);
 
@@ -131,6 +152,7 @@ class QuadLists {
   std::vector<Record> records_;
   TopologyCounters counters_;
   TopologySticky sticky_;
+  ListWork* work_ = nullptr;
 };
 
 }  // namespace gnomon::golden::topology

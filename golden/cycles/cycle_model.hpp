@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Follows a golden engine through a stream and keeps the clock (docs/cycle-model.md). The engine tells every
+// header and every item, in order, and what became of them where cycles depend on it.
+#pragma once
+
+#include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/cycles.hpp>
+#include <gnomon/golden/slb/model.hpp>
+#include <optional>
+#include <span>
+
+#include "lists.hpp"
+#include "look_up.hpp"
+#include "outline.hpp"
+#include "run.hpp"
+
+namespace gnomon::golden::cycles {
+
+/// Which of the items of a span came how far: number in the span, of the last one.
+struct ItemWork {
+  std::size_t items = 0;
+  std::optional<std::size_t> last_updating = {};  ///< goes to the memory
+  std::optional<std::size_t> last_writing = {};   ///< ... and changes its entry
+};
+
+class CycleModel {
+ public:
+  CycleModel(const HardwareConfig& config, const HardwareTiming& timing);
+
+  /// A header, before its items. `fill`: what the last FILL swept, the command itself if it is one.
+  void header(const Header& header, bool in_error, const slb::FillSweep& fill);
+  /// Items that change nothing that cycles depend on: of NOP, SET_REGISTERS, RESOLVE_VOXELS, QUERY,
+  /// LOOKUP_FRAME and commands in error.
+  void items(std::size_t count);
+  /// Items of PROJECT_VOXELS and COVER.
+  void items(const ItemWork& work);
+  /// Items of PUT_QUADS and RESOLVE_TOPOLOGY, and the work that golden had with them.
+  void items(std::size_t count, const topology::ListWork& work);
+  /// Items of LOOP.
+  void vertices(std::span<const Word> words);
+  /// Everything so far, to the end of its drain.
+  CycleTable table() const;
+
+ private:
+  int plane_lines_log2() const;
+  int slb_lines_log2() const;
+  int frame_lines_log2() const;
+  void reset_scrub();
+  void spend(Pass pass, Cycle busy, Cycle memory_wait = 0);
+  void end_run(bool more);
+  Cycle take(std::size_t count);
+  void core_command();
+  void slb_command(const slb::FillSweep& fill);
+  void fill(const slb::FillSweep& sweep);
+  void clear_unit(int lines_log2);
+  void read(Cycle entries, Cycle words, Cycle ends);
+  void close_if_complete();
+  void begin_lists();
+  bool list_cycle(bool item, bool header, bool more);
+  void end_lists(bool more);
+
+  HardwareConfig config_;
+  HardwareTiming timing_;
+  Cycle latency_;
+  Cycle late_;  ///< stages more with EN_PERSPECTIVE
+
+  Cycle now_ = 0;  ///< first cycle that nothing is known of
+  CycleTable table_;
+  Run run_;
+  Header command_;
+  bool flat_ = false;  ///< the object being drawn has one depth
+  std::uint32_t items_left_ = 0;
+  std::optional<Outline> outline_;  ///< with EN_SLB
+  std::optional<LookUp> look_up_;   ///< with EN_FRAME_BUFFER
+  std::optional<PutClock> put_;     ///< while a run of PUT_QUADS is open
+  std::optional<WalkClock> walk_;   ///< ... of RESOLVE_TOPOLOGY
+};
+
+}  // namespace gnomon::golden::cycles
