@@ -94,9 +94,19 @@ double wanted_entries(const VpuSettings& settings, const Sight& sight) {
   return std::min(sight.typical / settings.pitch, sight.near / caster_pitch);
 }
 
+/// Planes between the middle of the plane and the axis that CENTRE can say on either side: it holds two
+/// planes, less an entry, from the plane's low corner.
+constexpr double kFarthestAxis = 1.5;
+
+/// What the plane must be able to hold in slopes: the box, and the axis within reach of CENTRE.
+double slopes_across(const Sight& sight) {
+  const double off = std::max(std::abs(sight.x.middle()), std::abs(sight.y.middle()));
+  return std::max({sight.x.size(), sight.y.size(), off / kFarthestAxis});
+}
+
 /// The smallest plane that holds the box.
 int side_log2_for(const VpuSettings& settings, const Sight& sight) {
-  const double extent = std::max(sight.x.size(), sight.y.size());
+  const double extent = slopes_across(sight);
   if (!(extent > 0)) return kSmallestPlane;
   const double side = wanted_entries(settings, sight) * extent + 2 * kSurround;
   return std::clamp(log2_ceil(side), kSmallestPlane, kLargestPlane);
@@ -107,12 +117,10 @@ void lay_plane(VpuPlan& plan, const Sight& sight) {
   Projection& p = plan.projection;
   plan.config.plane_log2 = settings.plane_log2 > 0 ? settings.plane_log2 : side_log2_for(settings, sight);
   p.plane_side = plan.config.plane_side();
-  const double extent = std::max(sight.x.size(), sight.y.size());
-  p.entries_a_slope = std::min(wanted_entries(settings, sight), (p.plane_side - 2 * kSurround) / extent);
-  // The register holds two planes on either side of the plane.
-  const double most = 2.0 * p.plane_side - 1;
+  p.entries_a_slope =
+      std::min(wanted_entries(settings, sight), (p.plane_side - 2 * kSurround) / slopes_across(sight));
   const auto centre = [&](const Interval& range) {
-    return std::clamp(std::round(0.5 * p.plane_side - p.entries_a_slope * range.middle()), -most, most);
+    return std::round(0.5 * p.plane_side - p.entries_a_slope * range.middle());
   };
   p.centre = {centre(sight.x), centre(sight.y)};
   p.pitch = sight.mean / p.entries_a_slope;

@@ -81,6 +81,38 @@ TEST(Perspective, RegistersSeeWhatTheProjectionInDoubleSees) {
   EXPECT_GT(compared, 10000);
 }
 
+/// A few receivers far off the axis, together: the plane is small, and the axis lies outside of it.
+TEST(Perspective, ReceiversFarOffTheAxisAreOnThePlane) {
+  int compared = 0, planes = 0;
+  for (const bool negative : {false, true}) {
+    const double sign = negative ? -1 : 1;
+    const PointLight light{{48 - sign * 150, 40 - sign * 140, 20}};
+    for (const LightView& view : light_views(light, ball_scene())) {
+      ViewVoxels seen = view_voxels(view, ball_scene(), ObjectRoles::all({false, true}));
+      std::erase_if(seen.receivers, [&](std::uint32_t i) {
+        const Vec3 p = representative(ball_scene().voxels[i]);
+        return p.x < 44 || p.x > 52 || p.y < 40 || p.y > 48;
+      });
+      if (seen.receivers.empty()) continue;
+      for (const int plane_log2 : {0, 5}) {
+        VpuSettings settings;
+        settings.plane_log2 = plane_log2;
+        const VpuPlan plan = plan_vpu(ball_scene(), view, seen, settings).value();
+        const double side = plan.config.plane_side();
+        EXPECT_LT(std::max(std::abs(plan.projection.centre.x), std::abs(plan.projection.centre.y)), 2 * side);
+        for (const std::uint32_t i : seen.receivers) {
+          const Vec2 at = plan.projection.entry(representative(ball_scene().voxels[i]));
+          ASSERT_TRUE(at.x > 0 && at.y > 0 && at.x < side && at.y < side) << at.x << " " << at.y;
+          ++compared;
+        }
+        ++planes;
+      }
+    }
+  }
+  EXPECT_GE(planes, 4);
+  EXPECT_GT(compared, 400);
+}
+
 /// The closed form: whether the way from p to the light meets the ball, and how far from doing otherwise.
 bool in_ball_shadow(const Vec3& p, const Vec3& eye, double& from_border) {
   const Vec3 way = (p - eye).normalized();
