@@ -170,6 +170,26 @@ std::uint64_t count_nodes(TopologyPlan& plan, std::span<const Landing> corners) 
   return nodes;
 }
 
+/// Whether the plane sees an area of it: edge-on to the light no beam meets it (docs/vpu-topology.md,
+/// "Casters"). Of what the unit drops or flags by itself nothing is decided here.
+bool has_area(const voxel::VoxelQuad& quad, std::span<const Landing> corners, const Box& box, int span_log2) {
+  if (box.span > std::int64_t{1} << span_log2) return true;
+  const auto at = [&](std::size_t i) {
+    return std::array{corners[quad[i]]->u - corners[quad[0]]->u, corners[quad[i]]->v - corners[quad[0]]->v};
+  };
+  const auto b = at(1), c = at(2), d = at(3);
+  return b[0] * c[1] != b[1] * c[0] || c[0] * d[1] != c[1] * d[0];
+}
+
+/// Leaves out the quads that are edge-on to the light; returns how many.
+std::uint64_t drop_edge_on(TopologyPlan& plan, std::span<const Landing> corners) {
+  const golden::HardwareConfig& config = plan.vpu.config;
+  return std::erase_if(plan.quads, [&](const voxel::VoxelQuad& quad) {
+    const auto box = box_of(quad, corners, config.sub_bits, config.plane_side() - 1);
+    return box && !has_area(quad, corners, *box, config.span_log2);
+  });
+}
+
 /// Those with a corner that can shadow something of the view.
 std::vector<voxel::VoxelQuad> quads_in_view(const voxel::VoxelSet& voxels, const LightView& view,
                                             std::span<const voxel::VoxelQuad> quads) {
@@ -235,6 +255,7 @@ Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<cons
   plan.quads = quads_in_view(voxels, view, quads);
   const auto corners = land(plan);
   config.span_log2 = span_for(plan, corners);
+  plan.edge_on = drop_edge_on(plan, corners);
   if (settings.sorted) sort_by_far(plan.quads, corners);
   const std::uint64_t nodes = count_nodes(plan, corners);
   const double coarser_pitch = plan.vpu.settings.pitch * kCoarser;

@@ -39,6 +39,7 @@ struct TopologyPlan {
   std::uint32_t clearance = 0;             ///< depth codes
   std::vector<golden::VoxelItem> items;    ///< all voxels as the hardware sees them
   std::vector<voxel::VoxelQuad> quads;     ///< in the order of the stream: a quad's number is its index
+  std::uint64_t edge_on = 0;               ///< quads left out: the light sees no area of them
   std::vector<std::uint32_t> list_length;  ///< of every plane entry, v * side + u
 };
 

@@ -13,6 +13,7 @@
 #include "host/plan/topology_double.hpp"
 #include "host/plan/topology_plan.hpp"
 #include "host/voxel/voxelizer.hpp"
+#include "tests/host/metrics/fixtures.hpp"
 #include "tests/host/plan/topology_run.hpp"
 #include "tests/support/random.hpp"
 
@@ -32,22 +33,41 @@ struct Scene {
   voxel::CastingQuads casting;
 };
 
-Scene make_scene() {
-  Scene scene;
-  const Mat4 up = Mat4().setScale(14.0) * Mat4().setTranslation(Vec3(32, 32, 42));
-  const Mat4 down = Mat4().setScale(Vec3(54, 54, 6)) * Mat4().setTranslation(Vec3(5, 5, 12));
-  scene.surfaces.push_back(std::move(*surface::LimitSurface::build(test::torus(5, 4), up)));
-  scene.surfaces.push_back(std::move(*surface::LimitSurface::build(test::sheet(4, 3), down)));
+/// Voxels and quads of the surfaces.
+void fill(Scene& scene) {
   voxel::Grid grid;
   grid.res = kRes;
   voxel::VoxelizerOptions options;
   options.subpatches = true;
   scene.voxels = voxel::voxelize(scene.surfaces, grid, options).value();
   scene.casting = voxel::casting_quads(scene.surfaces, scene.voxels);
+}
+
+Scene make_scene() {
+  Scene scene;
+  const Mat4 up = Mat4().setScale(14.0) * Mat4().setTranslation(Vec3(32, 32, 42));
+  const Mat4 down = Mat4().setScale(Vec3(54, 54, 6)) * Mat4().setTranslation(Vec3(5, 5, 12));
+  scene.surfaces.push_back(std::move(*surface::LimitSurface::build(test::torus(5, 4), up)));
+  scene.surfaces.push_back(std::move(*surface::LimitSurface::build(test::sheet(4, 3), down)));
+  fill(scene);
   return scene;
 }
 const Scene& scene() {
   static const Scene kScene = make_scene();
+  return kScene;
+}
+
+/// A box over the same sheet.
+const Scene& walls() {
+  static const Scene kScene = [] {
+    Scene scene;
+    const Mat4 down = Mat4().setScale(Vec3(54, 54, 6)) * Mat4().setTranslation(Vec3(5, 5, 12));
+    scene.surfaces.push_back(std::move(*surface::LimitSurface::build(
+        fixtures::box({22.9, 22.9, 25.3}, {42.05, 42.05, 55.3}, true), Mat4())));
+    scene.surfaces.push_back(std::move(*surface::LimitSurface::build(test::sheet(4, 3), down)));
+    fill(scene);
+    return scene;
+  }();
   return kScene;
 }
 
@@ -138,7 +158,26 @@ TEST(Topology, PoolsHoldTheScene) {
   EXPECT_EQ(run(plan).events.at("NODES_LINKED"), nodes);
   EXPECT_LE(nodes, std::uint64_t{1} << plan.vpu.config.nodes_log2);
   EXPECT_GT(2 * nodes, std::uint64_t{1} << plan.vpu.config.nodes_log2);
-  EXPECT_EQ(plan.quads.size(), scene().casting.quads.size());
+  EXPECT_EQ(plan.quads.size() + plan.edge_on, scene().casting.quads.size());
+}
+
+/// Walls along the light are many quads in few lists, and no beam meets one.
+TEST(Topology, QuadsEdgeOnToTheLightAreLeftOutAndMissed) {
+  const Scene& s = walls();
+  TopologySettings settings;
+  settings.sorted = false;
+  settings.nodes_log2 = settings.quads_log2 = 17;
+  const TopologyPlan plan = plan_topology(s.voxels, s.casting.quads, Vec3(0, 0, -1), settings).value();
+  EXPECT_GT(plan.edge_on, s.casting.quads.size() / 3);
+  TopologyPlan with_all = plan;
+  with_all.quads = s.casting.quads;
+  const auto without = test::run_topology(plan, s.voxels, {false, true});
+  const auto with = test::run_topology(with_all, s.voxels, {false, true});
+  EXPECT_EQ(without.events.at("QUADS_PUT") + plan.edge_on, with.events.at("QUADS_PUT"));
+  EXPECT_EQ(states(without.results), states(with.results));
+  EXPECT_GT(without.events.at("TOPOLOGY_HIT"), 100U);
+  EXPECT_EQ(without.events.at("TOPOLOGY_HIT"), with.events.at("TOPOLOGY_HIT"));
+  EXPECT_LT(2 * without.events.at("QUADS_TESTED"), with.events.at("QUADS_TESTED"));
 }
 
 TEST(Topology, ThePitchGrowsUntilThePoolIsLargeEnough) {
