@@ -6,6 +6,7 @@ module counters #(
   parameter bit EN_VPU_TOPOLOGY = 1'b0,
   parameter bit EN_FRAME_BUFFER = 1'b0,
   parameter bit EN_SLB          = 1'b0,
+  parameter logic [cache_pkg::MEMORIES-1:0] CACHES = '0,  // memories behind a cache
   parameter bit EN_SNAPSHOT     = 1'b0    // the last snapshot is read instead of the moment
 ) (
   input  logic                            clk_i,
@@ -16,6 +17,7 @@ module counters #(
   input  topology_pkg::topology_events_t  topology_events_i,
   input  frame_pkg::frame_events_t        frame_events_i,
   input  gnomon_pkg::slb_events_t         slb_events_i,
+  input  logic [cache_pkg::MEMORIES*cache_pkg::EVENTS-1:0] cache_events_i,  // memory 0 lowest
   input  gnomon_pkg::sticky_t             sticky_i,
   input  logic [3:0]                      pass_i,
   input  logic [2:0]                      cause_i,
@@ -23,7 +25,7 @@ module counters #(
   output logic [63:0]                     value_o
 );
 
-  // Frame buffer in the upper half of the indices, all others in the lower one.
+  // Frame buffer and caches in the upper half of the indices, all others in the lower one.
   logic       upper;
   logic [6:0] index;
   assign {upper, index} = index_i;
@@ -54,6 +56,14 @@ module counters #(
     assign unused_frame = ^frame_events_i;
     assign frame_value  = '0;
   end
+
+  // ---- Caches ----
+  logic [6:0]  cache_number;
+  logic [63:0] cache_value;
+  assign cache_number = index - cache_pkg::COUNTER_NUMBER;
+  cache_counters #(.BUILT(CACHES), .EN_SNAPSHOT(EN_SNAPSHOT)) u_caches (
+    .clk_i, .rst_ni, .snapshot_i, .events_i(cache_events_i), .number_i(cache_number), .value_o(cache_value)
+  );
 
   // ---- Silhouette-line buffer ----
   logic [6:0]  slb_number;
@@ -102,6 +112,6 @@ module counters #(
   logic [63:0] sticky_value, lower_value;
   assign sticky_value = (index == gnomon_pkg::COUNTER_STICKY) ? 64'(sticky) : 64'd0;
   assign lower_value  = event_value | sticky_value | cycle_value | slb_value | topology_value | perspective_value;
-  assign value_o      = upper ? frame_value : lower_value;
+  assign value_o      = upper ? (frame_value | cache_value) : lower_value;
 
 endmodule

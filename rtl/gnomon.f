@@ -15,6 +15,18 @@ mem/plane_update.sv
 mem/plane_read_port.sv
 mem/plane_memory.sv
 mem/entry_memory.sv
+cache/cache_pkg.sv
+cache/cache_turn.sv
+cache/cache_ids.sv
+cache/cache_port.sv
+cache/cache_tags.sv
+cache/cache_queue.sv
+cache/cache_fills.sv
+cache/cache_victims.sv
+cache/cache_data.sv
+cache/cache_answers.sv
+cache/line_cache.sv
+cache/plane_cache.sv
 vpu/vpu_registers.sv
 vpu/vpu_perspective_registers.sv
 vpu/vpu_unpack.sv
@@ -99,6 +111,7 @@ stream/command_decoder.sv
 counter_snapshot.sv
 slb_counters.sv
 event_counters.sv
+cache/cache_counters.sv
 cycle_counters.sv
 counters.sv
 gnomon_core.sv

@@ -50,7 +50,7 @@ module gnomon_core #(
   output logic [63:0] res_data_o,
   // Counters, combinational: 0..10 events, 11 sticky flags, 16..38 events of the silhouette-line buffer,
   // 40..54 of topology mode, 55..61 of the perspective projection, 64 + 6 pass + cause cycles, 128..132
-  // of the frame buffer.
+  // of the frame buffer, 136.. of the caches.
   input  logic [7:0]  counter_index_i,
   output logic [63:0] counter_value_o,
   // Nothing under way and nothing buffered: without another word nothing more will happen. Also between the items of a
@@ -95,22 +95,6 @@ module gnomon_core #(
     .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(MEM_LATENCY),
     .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2)
   ) u_parameter_check ();
-
-  // ---- Line port ----
-  assign line_read_valid_o    = 1'b0;
-  assign line_read_address_o  = '0;
-  assign line_read_id_o       = '0;
-  assign line_data_ready_o    = 1'b1;
-  assign line_write_valid_o   = 1'b0;
-  assign line_write_address_o = '0;
-  assign line_write_id_o      = '0;
-  assign line_write_data_o    = '0;
-  assign line_write_strobe_o  = '0;
-  logic unused_line;
-  assign unused_line = ^{
-    plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i, line_write_ready_i,
-    line_written_valid_i, line_written_id_i
-  };
 
   localparam int unsigned INDEX = 2 * PLANE_LOG2;
   localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
@@ -424,19 +408,71 @@ module gnomon_core #(
     .clk_i, .rst_ni, .valid_i(entry1_given), .ready_o(entry1_taken), .valid_o(entry1_valid), .ready_i(entry1_ready)
   );
 
-  plane_memory #(
-    .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .READ_LATENCY(LATENCY)
-  ) u_plane (
-    .clk_i, .rst_ni,
-    .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index),
-    .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
-    .modify_write_i(modify_write), .modify_depth_i(modify_depth), .wrote_o(events.plane_write),
-    .read0_valid_i(read0_gated), .read0_ready_o(read0_granted), .read0_index_i(read0_index), .read0_tag_i(read0_tag),
-    .entry0_valid_o(entry0_given), .entry0_ready_i(entry0_taken), .entry0_o(entry0), .entry0_tag_o(entry0_tag),
-    .read1_valid_i(read1_gated), .read1_ready_o(read1_granted), .read1_index_i(read1_index), .read1_tag_i(read1_tag),
-    .entry1_valid_o(entry1_given), .entry1_ready_i(entry1_taken), .entry1_o(entry1), .entry1_tag_o(entry1_tag),
-    .clear_valid_i(clear_valid), .clear_ready_o(clear_ready), .clear_last_o(clear_last), .idle_o(plane_idle)
-  );
+  cache_pkg::want_t   plane_want;
+  cache_pkg::give_t   plane_give;
+  cache_pkg::events_t plane_events;
+  if (CACHE_LOG2 == 0) begin : gen_on_chip
+    plane_memory #(
+      .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .READ_LATENCY(LATENCY)
+    ) u_plane (
+      .clk_i, .rst_ni,
+      .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index),
+      .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
+      .modify_write_i(modify_write), .modify_depth_i(modify_depth), .wrote_o(events.plane_write),
+      .read0_valid_i(read0_gated), .read0_ready_o(read0_granted), .read0_index_i(read0_index), .read0_tag_i(read0_tag),
+      .entry0_valid_o(entry0_given), .entry0_ready_i(entry0_taken), .entry0_o(entry0), .entry0_tag_o(entry0_tag),
+      .read1_valid_i(read1_gated), .read1_ready_o(read1_granted), .read1_index_i(read1_index), .read1_tag_i(read1_tag),
+      .entry1_valid_o(entry1_given), .entry1_ready_i(entry1_taken), .entry1_o(entry1), .entry1_tag_o(entry1_tag),
+      .clear_valid_i(clear_valid), .clear_ready_o(clear_ready), .clear_last_o(clear_last), .idle_o(plane_idle)
+    );
+    logic unused_give;
+    assign unused_give  = ^plane_give;
+    assign plane_want   = '0;
+    assign plane_events = '0;
+  end else begin : gen_cached
+    plane_cache #(
+      .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .SIZE_LOG2(CACHE_LOG2),
+      .FIRST_LINE(0)
+    ) u_plane (
+      .clk_i, .rst_ni,
+      .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index),
+      .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
+      .modify_write_i(modify_write), .modify_depth_i(modify_depth), .wrote_o(events.plane_write),
+      .read0_valid_i(read0_gated), .read0_ready_o(read0_granted), .read0_index_i(read0_index), .read0_tag_i(read0_tag),
+      .entry0_valid_o(entry0_given), .entry0_ready_i(entry0_taken), .entry0_o(entry0), .entry0_tag_o(entry0_tag),
+      .read1_valid_i(read1_gated), .read1_ready_o(read1_granted), .read1_index_i(read1_index), .read1_tag_i(read1_tag),
+      .entry1_valid_o(entry1_given), .entry1_ready_i(entry1_taken), .entry1_o(entry1), .entry1_tag_o(entry1_tag),
+      .clear_valid_i(clear_valid), .clear_ready_o(clear_ready), .idle_o(plane_idle),
+      .want_o(plane_want), .give_i(plane_give), .events_o(plane_events)
+    );
+    assign clear_last = 1'b0;
+  end
+
+  // ---- Line port: all caches in turn ----
+  if (CACHE_LOG2 == 0) begin : gen_no_line_port
+    assign plane_give           = '0;
+    assign line_read_valid_o    = 1'b0;
+    assign line_read_address_o  = '0;
+    assign line_read_id_o       = '0;
+    assign line_data_ready_o    = 1'b1;
+    assign line_write_valid_o   = 1'b0;
+    assign line_write_address_o = '0;
+    assign line_write_id_o      = '0;
+    assign line_write_data_o    = '0;
+    assign line_write_strobe_o  = '0;
+    logic unused_line;
+    assign unused_line = ^{
+      plane_want, plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i,
+      line_write_ready_i, line_written_valid_i, line_written_id_i
+    };
+  end else begin : gen_line_port
+    cache_port #(.CLIENTS(1)) u_port (
+      .clk_i, .rst_ni, .base_i(plane_base_i), .want_i(plane_want), .give_o(plane_give), .line_read_valid_o,
+      .line_read_ready_i, .line_read_address_o, .line_read_id_o, .line_data_valid_i, .line_data_ready_o,
+      .line_data_id_i, .line_data_data_i, .line_write_valid_o, .line_write_ready_i, .line_write_address_o,
+      .line_write_id_o, .line_write_data_o, .line_write_strobe_o, .line_written_valid_i, .line_written_id_i
+    );
+  end
 
   // ---- Results: a change of kind is a barrier, so that one source speaks at a time and command order is kept ----
   assign result_valid = decoder_valid || reader_valid || frame_valid || slb_valid || told_valid;
@@ -449,6 +485,9 @@ module gnomon_core #(
   end
 
   // ---- Counters ----
+  localparam logic [cache_pkg::MEMORIES-1:0]          CACHES = cache_pkg::MEMORIES'(CACHE_LOG2 != 0);
+  logic [cache_pkg::MEMORIES*cache_pkg::EVENTS-1:0] cache_events;
+  assign cache_events = (cache_pkg::MEMORIES * cache_pkg::EVENTS)'(plane_events);
   logic vpu_given;
   assign vpu_given                    = vpu_valid && state_ready;
   assign events.project_off_plane     = off_plane;
@@ -463,12 +502,12 @@ module gnomon_core #(
   assign behind_light = perspective_events.project_behind || perspective_events.quad_behind ||
                         perspective_events.quad_straddling;
   counters #(.EN_PERSPECTIVE(EN_PERSPECTIVE), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
-    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB), .EN_SNAPSHOT(EN_BUS)
+    .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB), .CACHES(CACHES), .EN_SNAPSHOT(EN_BUS)
   ) u_counters (
     .clk_i, .rst_ni, .snapshot_i(counter_snapshot_i), .events_i(events),
     .perspective_events_i(perspective_events), .topology_events_i(topology_events),
     .frame_events_i(frame_events), .slb_events_i(slb_events),
-    .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
+    .cache_events_i(cache_events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
   );
 
   `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(topology_valid) + 3'(frame_valid) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded faults: tests build the hardware with one of the GNOMON_MUTATE_* macros defined and show that they notice. Each
-// constant is used at one place; without a macro all are 0 and vanish. GNOMON_MUTATE_SLB_AT_RUN and
-// GNOMON_MUTATE_PROJECTION_AT_RUN build in several at once, to be chosen when the simulation starts.
+// constant is used at one place; without a macro all are 0 and vanish. GNOMON_MUTATE_SLB_AT_RUN,
+// GNOMON_MUTATE_PROJECTION_AT_RUN and GNOMON_MUTATE_CACHE_AT_RUN build in several at once, to be chosen when the simulation starts.
 
 /* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
 /* verilator lint_off UNUSEDSIGNAL */  // likewise, of the faults chosen at run time, which are variables
@@ -13,6 +13,8 @@ package mutations_pkg;
   localparam bit TIES_REPLACE = 1'b0;
 `endif
 `ifdef GNOMON_MUTATE_SLB_AT_RUN
+  bit NO_FORWARDING = $test$plusargs("NO_FORWARDING") != 0;
+`elsif GNOMON_MUTATE_CACHE_AT_RUN
   bit NO_FORWARDING = $test$plusargs("NO_FORWARDING") != 0;
 `elsif GNOMON_MUTATE_NO_FORWARDING
   localparam bit NO_FORWARDING = 1'b1;  // an update does not see the writes that are still on their way
@@ -161,6 +163,16 @@ package mutations_pkg;
   localparam bit PERSPECTIVE_FACE_THE_AXIS   = 1'b0;
   localparam bit PERSPECTIVE_NO_CLEARANCE    = 1'b0;
   localparam bit PERSPECTIVE_PLAIN_MAX       = 1'b0;
+`endif
+`ifdef GNOMON_MUTATE_CACHE_AT_RUN
+  // The caches before planes and lists in memory.
+  bit CACHE_LOSE_WRITE_BACK = $test$plusargs("CACHE_LOSE_WRITE_BACK") != 0;  // a written line is dropped when its slot is wanted
+  bit CACHE_FETCH_EARLY     = $test$plusargs("CACHE_FETCH_EARLY") != 0;      // a line is fetched while it is on its way out
+  bit CACHE_KEEP_TOUCHED    = $test$plusargs("CACHE_KEEP_TOUCHED") != 0;     // a clear forgets tags, not what memory holds
+`else
+  localparam bit CACHE_LOSE_WRITE_BACK = 1'b0;
+  localparam bit CACHE_FETCH_EARLY     = 1'b0;
+  localparam bit CACHE_KEEP_TOUCHED    = 1'b0;
 `endif
 
 endpackage

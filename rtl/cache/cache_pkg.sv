@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sizes and bundles of signals of the caches (docs/cache.md).
+
+/* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
+package cache_pkg;
+
+  localparam int unsigned LINE         = 512;  // bits of a line
+  localparam int unsigned BANK         = 32;
+  localparam int unsigned BANKS        = LINE / BANK;
+  localparam int unsigned FILLS_LOG2   = 4;    // lines that are to come
+  localparam int unsigned VICTIMS_LOG2 = 5;    // lines on their way out that it remembers
+  localparam int unsigned QUEUE_LOG2   = 8;    // requests looked up and not yet served
+  localparam int unsigned IDS_LOG2     = 3;    // of the line port, each way
+  localparam int unsigned NUMBER       = 27;   // of a line, counted from where planes and lists begin
+
+  // Memories that may lie behind a cache, in their order in memory and among the counters.
+  localparam int unsigned MEMORIES        = 6;
+  localparam int unsigned PLANE           = 0;  // of the projection unit
+  localparam int unsigned LANES           = 1;  // of the silhouette-line buffer: full depths and flags
+  localparam int unsigned FRAGMENTS       = 2;
+  localparam int unsigned HEADS           = 3;  // of topology mode
+  localparam int unsigned NODES           = 4;
+  localparam int unsigned RECORDS         = 5;
+  localparam int unsigned EVENTS          = 6;  // of each
+  localparam logic [6:0]  COUNTER_NUMBER  = 7'd8;  // of the first counter, in the upper half of the indices
+
+  // What a cache wants of the line port. The line last, where its words are aligned.
+  typedef struct packed {
+    logic                    read_valid;
+    logic [FILLS_LOG2-1:0]   read_id;
+    logic [NUMBER-1:0]       read_line;
+    logic                    write_valid;
+    logic [VICTIMS_LOG2-1:0] write_id;
+    logic [NUMBER-1:0]       write_line;
+    logic [LINE-1:0]         write_data;
+  } want_t;
+
+  // What the line port gives a cache. Lines that come and answers of writes are always taken.
+  typedef struct packed {
+    logic                    read_ready;
+    logic                    write_ready;
+    logic                    data_valid;
+    logic [FILLS_LOG2-1:0]   data_id;
+    logic                    written_valid;
+    logic [VICTIMS_LOG2-1:0] written_id;
+    logic [LINE-1:0]         data;
+  } give_t;
+
+  // Events, each at most one a cycle, in the order of the counters.
+  typedef struct packed {
+    logic hit;         // a request hit
+    logic hit_beside;  // and another beside it
+    logic miss;
+    logic fill;        // a line was asked for
+    logic write_back;  // ... or sent to be written
+    logic wait_fill;   // the first of the requests waits for its line
+  } events_t;
+
+  // Sets of a cache of 2^size bytes with two ways over 2^lines lines: never as many as lines.
+  function automatic int unsigned sets_log2(int unsigned size, int unsigned lines);
+    sets_log2 = (size - 7 < lines) ? size - 7 : lines - 1;
+  endfunction
+
+endpackage
+/* verilator lint_on UNUSEDPARAM */

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Brings several caches to one line port: takes turns, gives out the port's ids, and leads what comes back to whom it
+// belongs.
+
+`include "assertions.svh"
+
+module cache_port #(
+  parameter int unsigned CLIENTS = 1
+) (
+  input  logic                                         clk_i,
+  input  logic                                         rst_ni,
+  input  logic [63:12]                                 base_i,  // where line 0 lies
+  input  logic [CLIENTS*$bits(cache_pkg::want_t)-1:0]  want_i,
+  output logic [CLIENTS*$bits(cache_pkg::give_t)-1:0]  give_o,
+  output logic                                         line_read_valid_o,
+  input  logic                                         line_read_ready_i,
+  output logic [63:6]                                  line_read_address_o,
+  output logic [2:0]                                   line_read_id_o,
+  input  logic                                         line_data_valid_i,
+  output logic                                         line_data_ready_o,
+  input  logic [2:0]                                   line_data_id_i,
+  input  logic [511:0]                                 line_data_data_i,
+  output logic                                         line_write_valid_o,
+  input  logic                                         line_write_ready_i,
+  output logic [63:6]                                  line_write_address_o,
+  output logic [2:0]                                   line_write_id_o,
+  output logic [511:0]                                 line_write_data_o,
+  output logic [63:0]                                  line_write_strobe_o,
+  input  logic                                         line_written_valid_i,
+  input  logic [2:0]                                   line_written_id_i
+);
+
+  localparam int unsigned WANT    = $bits(cache_pkg::want_t);
+  localparam int unsigned GIVE    = $bits(cache_pkg::give_t);
+  localparam int unsigned WHO     = (CLIENTS <= 1) ? 1 : $clog2(CLIENTS);
+  localparam int unsigned FILL    = cache_pkg::FILLS_LOG2;
+  localparam int unsigned VICTIM  = cache_pkg::VICTIMS_LOG2;
+  localparam int unsigned LINE    = cache_pkg::LINE;
+  localparam int unsigned ID      = cache_pkg::IDS_LOG2;
+  localparam int unsigned ADDRESS = 58;
+
+  // ---- Whose turn it is, with what id ----
+  logic [CLIENTS-1:0] reads, writes;
+  logic               read_take, write_take, read_free, write_free, read_room, write_room;
+  logic [WHO-1:0]     reader, writer, data_owner, written_owner;
+  logic [ID-1:0]      read_id, write_id;
+  logic [FILL-1:0]    data_id;
+  logic [VICTIM-1:0]  written_id;
+  cache_pkg::want_t   read_want, write_want;
+  assign read_want  = want_i[reader*WANT+:WANT];
+  assign write_want = want_i[writer*WANT+:WANT];
+  assign read_take  = reads != '0 && read_free && read_room;
+  assign write_take = writes != '0 && write_free && write_room;
+  cache_turn #(.CLIENTS(CLIENTS)) u_reader (.clk_i, .rst_ni, .wants_i(reads), .take_i(read_take), .who_o(reader));
+  cache_turn #(.CLIENTS(CLIENTS)) u_writer (.clk_i, .rst_ni, .wants_i(writes), .take_i(write_take), .who_o(writer));
+  cache_ids #(.WIDTH(WHO + FILL)) u_read_ids (
+    .clk_i, .rst_ni, .take_i(read_take), .data_i({reader, read_want.read_id}), .free_o(read_free), .id_o(read_id),
+    .back_i(line_data_valid_i), .back_id_i(line_data_id_i), .back_data_o({data_owner, data_id})
+  );
+  cache_ids #(.WIDTH(WHO + VICTIM)) u_write_ids (
+    .clk_i, .rst_ni, .take_i(write_take), .data_i({writer, write_want.write_id}), .free_o(write_free),
+    .id_o(write_id), .back_i(line_written_valid_i), .back_id_i(line_written_id_i),
+    .back_data_o({written_owner, written_id})
+  );
+
+  // ---- To the port ----
+  logic [ADDRESS-1:0] base;
+  assign base = {base_i, 6'd0};
+  stream_skid #(.WIDTH(ADDRESS + ID)) u_read (
+    .clk_i, .rst_ni, .valid_i(reads != '0 && read_free), .ready_o(read_room),
+    .data_i({base + ADDRESS'(read_want.read_line), read_id}), .valid_o(line_read_valid_o), .ready_i(line_read_ready_i),
+    .data_o({line_read_address_o, line_read_id_o})
+  );
+  stream_skid #(.WIDTH(ADDRESS + ID + LINE)) u_write (
+    .clk_i, .rst_ni, .valid_i(writes != '0 && write_free), .ready_o(write_room),
+    .data_i({base + ADDRESS'(write_want.write_line), write_id, write_want.write_data}), .valid_o(line_write_valid_o),
+    .ready_i(line_write_ready_i), .data_o({line_write_address_o, line_write_id_o, line_write_data_o})
+  );
+  assign line_write_strobe_o = '1;
+  assign line_data_ready_o   = 1'b1;
+
+  // ---- To the caches ----
+  for (genvar i = 0; i < CLIENTS; i++) begin : gen_clients
+    cache_pkg::want_t want;
+    cache_pkg::give_t give;
+    logic             unused_want;
+    assign want               = want_i[i*WANT+:WANT];
+    assign reads[i]           = want.read_valid;
+    assign writes[i]          = want.write_valid;
+    assign give.read_ready    = read_take && reader == WHO'(i);
+    assign give.write_ready   = write_take && writer == WHO'(i);
+    assign give.data_valid    = line_data_valid_i && data_owner == WHO'(i);
+    assign give.data_id       = data_id;
+    assign give.written_valid = line_written_valid_i && written_owner == WHO'(i);
+    assign give.written_id    = written_id;
+    assign give.data          = line_data_data_i;
+    assign give_o[i*GIVE+:GIVE] = give;
+    assign unused_want        = ^want;
+  end
+  logic unused_wants;
+  assign unused_wants = ^{read_want, write_want};
+
+  `GNOMON_ASSERT_STREAM(a_read_stable, line_read_valid_o, line_read_ready_i, {line_read_address_o, line_read_id_o})
+  `GNOMON_ASSERT_STREAM(a_write_stable, line_write_valid_o, line_write_ready_i,
+                        {line_write_address_o, line_write_id_o, line_write_data_o})
+
+endmodule
