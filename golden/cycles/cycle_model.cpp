@@ -9,6 +9,8 @@
 #include <gnomon/golden/topology/codec.hpp>
 #include <utility>
 
+#include "fill.hpp"
+
 namespace gnomon::golden::cycles {
 namespace {
 
@@ -22,7 +24,6 @@ constexpr Cycle kCoverStages = 1;     // off the rows swept
 constexpr Cycle kUpdateStages = 1;    // more where COVER updates the memory, and the latency
 constexpr Cycle kWriteStages = 1;     // more where that writes
 constexpr Cycle kQueryStages = 6;     // and the latency
-constexpr Cycle kFillStages = 4;      // twice the latency, and these wait for the memories
 constexpr Cycle kEndOfUnit = 1;       // a cycle in which the decoder sees that the unit is idle
 
 enum class Kind { Slb, Topology, Frame, Core };
@@ -172,9 +173,8 @@ void CycleModel::slb_command(const slb::FillSweep& fill) {
 }
 
 void CycleModel::fill(const slb::FillSweep& sweep) {
-  Cycle updates = sweep.lines.size();
-  for (const slb::FillLine& line : sweep.lines) updates += line.groups;
-  spend(Pass::Fill, 1 + updates, (updates == 0 ? 0 : 2 * latency_ + kFillStages - 1) + kEndOfUnit);
+  const FillCycles cycles = fill_cycles(sweep, flat_, config_.slb_config(), timing_);
+  spend(Pass::Fill, 1 + cycles.steps, cycles.idle - cycles.steps);
 }
 
 void CycleModel::clear_unit(int lines_log2) {
