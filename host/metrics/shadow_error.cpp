@@ -120,6 +120,7 @@ ShadowErrors shadow_errors(const ShadowTruth& truth, const voxel::VoxelSet& voxe
     count(receiver(errors.all_voxels, object, options), shadowed, exact);
     if (truth.unambiguous[i] != 0)
       count(receiver(errors.unambiguous_voxels, object, options), shadowed, exact);
+    if (truth.steady[i] != 0) count(receiver(errors.steady_voxels, object, options), shadowed, exact);
   }
   errors.samples = sample_mislabels(truth, answers.samples, options);
   errors.displacement = displacement(truth, answers, options);

@@ -53,6 +53,7 @@ struct Displacement {
 struct ShadowErrors {
   ByReceiver<Mislabels> all_voxels;
   ByReceiver<Mislabels> unambiguous_voxels;
+  ByReceiver<Mislabels> steady_voxels;
   ByReceiver<Mislabels> samples;  ///< per surface sample, unweighted
   ByReceiver<Displacement> displacement;
 };

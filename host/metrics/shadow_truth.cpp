@@ -13,6 +13,7 @@
 #include "host/metrics/light_scale.hpp"
 #include "host/metrics/sample_grid.hpp"
 #include "host/metrics/shadow_border.hpp"
+#include "host/metrics/steady_voxels.hpp"
 
 namespace gnomon::metrics {
 namespace {
@@ -116,6 +117,7 @@ ShadowTruth shadow_truth(const ExactReference& reference, std::span<const surfac
   for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = truth.samples[i].exact;
   ShadowBorder border = shadow_border(reference, surfaces, grids, answers, options.spacing);
   truth.unambiguous = unambiguous_voxels(voxels, truth.voxels, truth.receives, truth.samples, border.points);
+  truth.steady = steady_voxels(reference, surfaces, voxels, truth.voxels, truth.unambiguous);
   truth.border = std::move(border.length);
   truth.on_border.resize(truth.samples.size());
   for (const CellRef& at : border.cells) truth.on_border[grids.faces[at.grid].cell(at.i, at.j)] = 1;

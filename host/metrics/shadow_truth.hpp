@@ -49,6 +49,8 @@ struct ShadowTruth {
   std::vector<Exact> voxels;  ///< at each voxel's representative point
   /// 1 where the voxel's cell and its 26 neighbours hold one answer only; 0 on objects that do not receive.
   std::vector<std::uint8_t> unambiguous;
+  /// 1 where it is unambiguous and does not hang on a fraction of a voxel (steady_voxels.hpp).
+  std::vector<std::uint8_t> steady;
   std::vector<std::uint8_t> receives;  ///< by object: 0 has no samples and counts in no figure
   std::vector<SurfaceSample> samples;
   /// 1 for the samples whose rectangle the exact border crosses: areas there are measured by border_samples.

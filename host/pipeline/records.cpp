@@ -16,17 +16,21 @@ report::MislabelCounts counts(const metrics::Mislabels& m) {
 }
 
 report::ErrorPart part(const metrics::Mislabels& all, const metrics::Mislabels& unambiguous,
-                       const metrics::Mislabels& samples, const metrics::Displacement& displacement) {
-  report::ErrorPart result{counts(all), counts(unambiguous), counts(samples), 0, {}};
+                       const metrics::Mislabels& steady, const metrics::Mislabels& samples,
+                       const metrics::Displacement& displacement) {
+  report::ErrorPart result{counts(all), counts(unambiguous), counts(steady), counts(samples), 0, {}};
   result.boundary_length = (displacement.border_cast + displacement.border_attached) / displacement.pitch;
   if (result.boundary_length > 0) result.boundary_displacement = displacement.entries();
   return result;
 }
 
 report::ErrorRecord error_record(const metrics::ShadowErrors& e) {
-  return {part(e.all_voxels.total(), e.unambiguous_voxels.total(), e.samples.total(), e.displacement.total()),
-          part(e.all_voxels.ground, e.unambiguous_voxels.ground, e.samples.ground, e.displacement.ground),
-          part(e.all_voxels.models, e.unambiguous_voxels.models, e.samples.models, e.displacement.models)};
+  return {part(e.all_voxels.total(), e.unambiguous_voxels.total(), e.steady_voxels.total(), e.samples.total(),
+               e.displacement.total()),
+          part(e.all_voxels.ground, e.unambiguous_voxels.ground, e.steady_voxels.ground, e.samples.ground,
+               e.displacement.ground),
+          part(e.all_voxels.models, e.unambiguous_voxels.models, e.steady_voxels.models, e.samples.models,
+               e.displacement.models)};
 }
 
 std::string now() {

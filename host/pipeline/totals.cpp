@@ -21,6 +21,7 @@ void add(report::MislabelCounts& sum, const report::MislabelCounts& more) {
 void add(ErrorPart& sum, const ErrorPart& more) {
   add(sum.all, more.all);
   add(sum.unambiguous, more.unambiguous);
+  add(sum.steady, more.steady);
   add(sum.samples, more.samples);
   const double area = sum.boundary_displacement.value_or(0) * sum.boundary_length +
                       more.boundary_displacement.value_or(0) * more.boundary_length;

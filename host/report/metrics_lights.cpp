@@ -20,6 +20,7 @@ Json part_json(const ErrorPart& part) {
   if (part.boundary_displacement) boundary = *part.boundary_displacement;
   return {{"all", counts_json(part.all)},
           {"unambiguous", counts_json(part.unambiguous)},
+          {"steady", counts_json(part.steady)},
           {"samples", counts_json(part.samples)},
           {"boundary_length", part.boundary_length},
           {"boundary_displacement", boundary}};

@@ -63,6 +63,7 @@ struct MislabelCounts {
 struct ErrorPart {
   MislabelCounts all;                           ///< every voxel
   MislabelCounts unambiguous;                   ///< voxels away from every shadow border
+  MislabelCounts steady;                        ///< of these, steady ones (docs/error-metrics.md)
   MislabelCounts samples;                       ///< surface samples, half a voxel apart
   double boundary_length = 0;                   ///< of the exact shadow borders, plane entries
   std::optional<double> boundary_displacement;  ///< mean, plane entries; absent where there is no border

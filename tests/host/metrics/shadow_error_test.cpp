@@ -38,6 +38,8 @@ TEST_F(ShadowErrorTest, ExactStatesAreRightEverywhere) {
   // Of 29 x 29 ground cells, the ring from 7 to 17 less its inside, 10 to 14, sees both answers.
   EXPECT_EQ(e.unambiguous_voxels.ground.compared, 29u * 29u - (11u * 11u - 5u * 5u));
   EXPECT_EQ(e.unambiguous_voxels.total().wrong(), 0u);
+  // From 4.5 to 20.5 no answer hangs on half a voxel.
+  EXPECT_EQ(e.steady_voxels.ground, e.unambiguous_voxels.ground);
   EXPECT_EQ(e.samples.total().compared, truth_.samples.size());
 }
 
@@ -45,6 +47,7 @@ TEST_F(ShadowErrorTest, OneFlippedVoxelIsSeenAsWhatItIs) {
   states_[voxel_at(25, 25, 4)] = golden::VoxelState::Shadow;
   EXPECT_EQ(errors().all_voxels.ground, (Mislabels{841, 1, 0}));
   EXPECT_EQ(errors().unambiguous_voxels.ground.false_shadow, 1u);
+  EXPECT_EQ(errors().steady_voxels.ground.false_shadow, 1u);
   states_[voxel_at(12, 12, 4)] = golden::VoxelState::Lit;
   EXPECT_EQ(errors().all_voxels.ground, (Mislabels{841, 1, 1}));
   EXPECT_DOUBLE_EQ(errors().all_voxels.ground.share(), 2.0 / 841);

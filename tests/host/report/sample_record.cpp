@@ -8,6 +8,7 @@ namespace {
 ErrorPart part(std::uint64_t voxels, std::uint64_t wrong, std::optional<double> boundary) {
   return {{voxels, wrong / 3, wrong - wrong / 3},
           {voxels * 9 / 10, wrong / 12, wrong / 20},
+          {voxels * 8 / 10, wrong / 13, wrong / 21},
           {4 * voxels, wrong, 3 * wrong},
           812.5,
           boundary};
