@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source files of gnomon_core in reading order, relative to this file (verilator -F rtl/gnomon.f).
+// Source files in reading order: gnomon_core, then gnomon_top around it, relative to this file (verilator -F rtl/gnomon.f).
 +incdir+common
 gnomon_pkg.sv
 mutations_pkg.sv
@@ -92,6 +92,7 @@ slb/slb_finish.sv
 slb/slb_cover.sv
 slb/slb_modify.sv
 slb/slb_plane.sv
+cache/slb_plane_cache.sv
 slb/slb_change.sv
 slb/slb_winding.sv
 slb/slb_fill_ask.sv
@@ -115,3 +116,23 @@ cache/cache_counters.sv
 cycle_counters.sv
 counters.sv
 gnomon_core.sv
+system/gnomon_registers_pkg.sv
+system/system_pkg.sv
+system/axil_slave.sv
+system/register_known.sv
+system/register_file.sv
+system/register_block.sv
+system/system_control.sv
+system/ring_check.sv
+system/descriptor_dma.sv
+system/command_fetch.sv
+system/result_dma.sv
+system/fair_grant.sv
+system/axi_read_lines.sv
+system/axi_read.sv
+system/axi_write_lines.sv
+system/axi_write.sv
+system/axi_timeout.sv
+system/axi_checks.sv
+system/axi_master.sv
+system/gnomon_top.sv

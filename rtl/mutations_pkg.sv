@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded faults: tests build the hardware with one of the GNOMON_MUTATE_* macros defined and show that they notice. Each
-// constant is used at one place; without a macro all are 0 and vanish. GNOMON_MUTATE_SLB_AT_RUN,
-// GNOMON_MUTATE_PROJECTION_AT_RUN and GNOMON_MUTATE_CACHE_AT_RUN build in several at once, to be chosen when the simulation starts.
+// constant is one fault; without a macro all are 0 and vanish. GNOMON_MUTATE_SLB_AT_RUN, GNOMON_MUTATE_PROJECTION_AT_RUN,
+// GNOMON_MUTATE_CACHE_AT_RUN and GNOMON_MUTATE_SYSTEM_AT_RUN build in several at once, to be chosen when the simulation
+// starts.
 
 /* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
 /* verilator lint_off UNUSEDSIGNAL */  // likewise, of the faults chosen at run time, which are variables
@@ -173,6 +174,29 @@ package mutations_pkg;
   localparam bit CACHE_LOSE_WRITE_BACK = 1'b0;
   localparam bit CACHE_FETCH_EARLY     = 1'b0;
   localparam bit CACHE_KEEP_TOUCHED    = 1'b0;
+`endif
+
+`ifdef GNOMON_MUTATE_SYSTEM_AT_RUN
+  // What is around the core.
+  bit AXI_WITHDRAW        = $test$plusargs("AXI_WITHDRAW") != 0;         // a read's address is not offered until it is taken
+  bit AXI_CHANGE_ADDRESS  = $test$plusargs("AXI_CHANGE_ADDRESS") != 0;   // a write's address changes while it waits
+  bit AXI_LAST_EARLY      = $test$plusargs("AXI_LAST_EARLY") != 0;       // the beat before the last says that it is the last
+  bit AXI_CROSS_PAGES     = $test$plusargs("AXI_CROSS_PAGES") != 0;      // bursts of commands cross 4 KiB
+  bit AXI_FIXED_BURST     = $test$plusargs("AXI_FIXED_BURST") != 0;      // bursts say that their address stays
+  bit AXI_IGNORE_ERRORS   = $test$plusargs("AXI_IGNORE_ERRORS") != 0;    // error answers are taken as good ones
+  bit AXI_FORGET_EPOCH    = $test$plusargs("AXI_FORGET_EPOCH") != 0;     // late answers are taken as new ones
+  bit AXI_NO_TIMEOUT      = $test$plusargs("AXI_NO_TIMEOUT") != 0;       // a missing answer is waited for for ever
+  bit RESULTS_COUNT_EARLY = $test$plusargs("RESULTS_COUNT_EARLY") != 0;  // results count when their write begins
+`else
+  localparam bit AXI_WITHDRAW        = 1'b0;
+  localparam bit AXI_CHANGE_ADDRESS  = 1'b0;
+  localparam bit AXI_LAST_EARLY      = 1'b0;
+  localparam bit AXI_CROSS_PAGES     = 1'b0;
+  localparam bit AXI_FIXED_BURST     = 1'b0;
+  localparam bit AXI_IGNORE_ERRORS   = 1'b0;
+  localparam bit AXI_FORGET_EPOCH    = 1'b0;
+  localparam bit AXI_NO_TIMEOUT      = 1'b0;
+  localparam bit RESULTS_COUNT_EARLY = 1'b0;
 `endif
 
 endpackage

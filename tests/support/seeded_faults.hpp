@@ -44,8 +44,14 @@ inline constexpr std::array<std::string_view, 5> kFrameFaults{
 inline constexpr std::array<std::string_view, 4> kCacheFaults{"CACHE_LOSE_WRITE_BACK", "CACHE_FETCH_EARLY",
                                                               "CACHE_KEEP_TOUCHED", "NO_FORWARDING"};
 
+/// What is around the core, one build with all of them: tests/rtl/system.
+inline constexpr std::array<std::string_view, 9> kSystemFaults{
+    "AXI_WITHDRAW",      "AXI_CHANGE_ADDRESS", "AXI_LAST_EARLY", "AXI_CROSS_PAGES",    "AXI_FIXED_BURST",
+    "AXI_IGNORE_ERRORS", "AXI_FORGET_EPOCH",   "AXI_NO_TIMEOUT", "RESULTS_COUNT_EARLY"};
+
 /// All of them. A fault may stand in several.
-inline constexpr std::array<std::span<const std::string_view>, 6> kFaultLists{
-    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults, kProjectionFaults, kFrameFaults, kCacheFaults};
+inline constexpr std::array<std::span<const std::string_view>, 7> kFaultLists{
+    kBuiltInFaults, kSlbOutlineFaults, kSlbFaults,   kProjectionFaults,
+    kFrameFaults,   kCacheFaults,      kSystemFaults};
 
 }  // namespace gnomon::stimulus

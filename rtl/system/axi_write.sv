@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Write channels of the AXI master: one line or part of one after the other, its address and its data at the same time;
+// answers by id. After a soft reset what was begun is finished without strobes (docs/system.md, "The master").
+
+`include "assertions.svh"
+
+module axi_write #(
+  parameter int unsigned AXI_DATA_BITS = 64,
+  parameter bit          EN_LINES      = 1'b0   // the cache's line port is used
+) (
+  input  logic                       clk_i,
+  input  logic                       rst_ni,
+  input  logic                       core_rst_ni,     // of the users
+  input  logic                       may_start_i,
+  input  logic                       epoch_i,
+  input  logic                       give_up_i,
+  output logic                       pending_o,       // of this epoch
+  output logic                       late_o,          // answers of the epoch before are due
+  // Results: words first..last of a line.
+  input  logic                       result_valid_i,
+  output logic                       result_ready_o,
+  input  logic [63:6]                result_line_i,
+  input  logic [2:0]                 result_first_i,
+  input  logic [2:0]                 result_last_i,
+  input  logic [511:0]               result_data_i,
+  output logic                       result_written_o,
+  input  logic                       result_active_i,
+  input  logic [63:0]                result_oldest_i,
+  // Completions: 16 bytes.
+  input  logic                       completion_valid_i,
+  output logic                       completion_ready_o,
+  input  logic [63:4]                completion_place_i,
+  input  logic [127:0]               completion_i,
+  output logic                       completion_written_o,
+  input  logic                       completion_active_i,
+  // Lines.
+  input  logic                       line_write_valid_i,
+  output logic                       line_write_ready_o,
+  input  logic [63:6]                line_write_address_i,
+  input  logic [2:0]                 line_write_id_i,
+  input  logic [511:0]               line_write_data_i,
+  input  logic [63:0]                line_write_strobe_i,
+  output logic                       line_written_valid_o,
+  output logic [2:0]                 line_written_id_o,
+  // AXI.
+  output logic                       m_axi_awvalid_o,
+  input  logic                       m_axi_awready_i,
+  output logic [4:0]                 m_axi_awid_o,
+  output logic [63:0]                m_axi_awaddr_o,
+  output logic [7:0]                 m_axi_awlen_o,
+  output logic                       m_axi_wvalid_o,
+  input  logic                       m_axi_wready_i,
+  output logic [AXI_DATA_BITS-1:0]   m_axi_wdata_o,
+  output logic [AXI_DATA_BITS/8-1:0] m_axi_wstrb_o,
+  output logic                       m_axi_wlast_o,
+  input  logic                       m_axi_bvalid_i,
+  input  logic [4:0]                 m_axi_bid_i,
+  input  logic [1:0]                 m_axi_bresp_i,
+  // Where a transaction waits, for a timeout; faults.
+  output logic                       active_o,
+  output logic [63:0]                active_address_o,
+  output system_pkg::fault_t         fault_o
+);
+
+  localparam int unsigned LANES_LOG2 = $clog2(AXI_DATA_BITS / 64);  // words of a beat
+
+  // ---- Who goes ----
+  logic [2:0] wanted, grant;
+  logic       free, start;
+  assign wanted = {line_write_valid_i && EN_LINES, completion_valid_i, result_valid_i};
+  assign start  = may_start_i && free && |wanted;
+  fair_grant #(.USERS(3), .PATIENCE(system_pkg::PATIENCE)) u_grant (
+    .clk_i, .rst_ni, .valid_i(wanted), .take_i(start), .grant_o(grant)
+  );
+  assign {line_write_ready_o, completion_ready_o, result_ready_o} = start ? grant : 3'd0;
+
+  logic [63:6]  line;
+  logic [3:0]   id;
+  logic [2:0]   first, last;
+  logic [511:0] data;
+  logic [7:0]   words;   // of the line
+  logic [63:0]  strobe;
+  assign words = (8'hFF << first) & (8'hFF >> (3'd7 - last));
+  for (genvar i = 0; i < 8; i++) begin : gen_strobes
+    assign strobe[i*8+:8] = grant[2] ? line_write_strobe_i[i*8+:8] : {8{words[i]}};
+  end
+  always_comb begin
+    if (grant[0]) begin
+      line  = result_line_i;
+      id    = system_pkg::ID_RESULT;
+      first = result_first_i;
+      last  = result_last_i;
+      data  = result_data_i;
+    end else if (grant[1]) begin
+      line  = completion_place_i[63:6];
+      id    = system_pkg::ID_DESCRIPTOR;
+      first = {completion_place_i[5:4], 1'b0};
+      last  = {completion_place_i[5:4], 1'b1};
+      data  = {4{completion_i}};
+    end else begin
+      line  = line_write_address_i;
+      id    = {1'b1, line_write_id_i};
+      first = 3'd0;
+      last  = 3'd7;
+      data  = line_write_data_i;
+    end
+  end
+
+  // ---- The burst under way ----
+  logic         aw_valid_q, w_valid_q, void_q, beat_taken, is_last;
+  logic [63:0]  address_q, strobe_q;
+  logic [4:0]   id_q;
+  logic [2:0]   beat_q, last_beat_q, first_beat, last_beat, len_q;
+  logic [511:0] data_q;
+  assign first_beat = first >> LANES_LOG2;
+  assign last_beat  = last >> LANES_LOG2;
+  assign is_last    = beat_q == last_beat_q;
+  assign beat_taken = w_valid_q && m_axi_wready_i;
+  assign free       = (!aw_valid_q || m_axi_awready_i) && (!w_valid_q || (beat_taken && is_last));
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      aw_valid_q <= 1'b0;
+      w_valid_q  <= 1'b0;
+      void_q     <= 1'b0;
+    end else begin
+      if (start)                      aw_valid_q <= 1'b1;
+      else if (m_axi_awready_i)       aw_valid_q <= 1'b0;
+      if (start)                      w_valid_q <= 1'b1;
+      else if (beat_taken && is_last) w_valid_q <= 1'b0;
+      if (start)                      void_q <= 1'b0;
+      else if (!core_rst_ni)          void_q <= 1'b1;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start) begin
+      address_q   <= {line, 3'(first_beat << LANES_LOG2), 3'd0};
+      id_q        <= {epoch_i, id};
+      len_q       <= last_beat - first_beat;
+      beat_q      <= first_beat;
+      last_beat_q <= last_beat;
+      data_q      <= data;
+      strobe_q    <= strobe;
+    end else if (beat_taken) begin
+      beat_q <= beat_q + 3'd1;
+      if (void_q || !core_rst_ni) strobe_q <= '0;
+    end
+  end
+  logic waited_q;  // seeded fault: an address changes while it waits
+  always_ff @(posedge clk_i) waited_q <= m_axi_awvalid_o && !m_axi_awready_i && mutations_pkg::AXI_CHANGE_ADDRESS;
+  assign m_axi_awvalid_o = aw_valid_q;
+  assign m_axi_awid_o    = id_q;
+  assign m_axi_awaddr_o  = {address_q[63:7], address_q[6] ^ waited_q, address_q[5:0]};
+  assign m_axi_awlen_o   = 8'(len_q);
+  assign m_axi_wvalid_o  = w_valid_q;
+  assign m_axi_wdata_o   = data_q[32'(beat_q)*AXI_DATA_BITS+:AXI_DATA_BITS];
+  assign m_axi_wstrb_o   = strobe_q[32'(beat_q)*(AXI_DATA_BITS/8)+:AXI_DATA_BITS/8];
+  assign m_axi_wlast_o   = is_last || (mutations_pkg::AXI_LAST_EARLY && beat_q + 3'd1 == last_beat_q);
+
+  // ---- What is under way ----
+  logic [5:0] pending_q, late_q;
+  logic       fresh, ended_late;
+  assign fresh      = m_axi_bvalid_i && (m_axi_bid_i[4] == epoch_i || mutations_pkg::AXI_FORGET_EPOCH);
+  assign ended_late = m_axi_bvalid_i && !fresh && late_q != '0;
+  assign pending_o  = pending_q != '0;  // answered after its address and data are taken
+  assign late_o     = late_q != '0;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      pending_q <= '0;
+      late_q    <= '0;
+    end else if (give_up_i) begin
+      pending_q <= '0;
+      late_q    <= pending_q - 6'(fresh);
+    end else begin
+      pending_q <= pending_q + 6'(start) - 6'(fresh && pending_q != '0);
+      late_q    <= late_q - 6'(ended_late);
+    end
+  end
+
+  // ---- Answers ----
+  logic       good;
+  logic [3:0] user;
+  assign user                 = m_axi_bid_i[3:0];
+  assign good                 = fresh && (!m_axi_bresp_i[1] || mutations_pkg::AXI_IGNORE_ERRORS) && core_rst_ni;
+  assign result_written_o     = good && user == system_pkg::ID_RESULT;
+  assign completion_written_o = good && user == system_pkg::ID_DESCRIPTOR;
+  assign line_written_valid_o = good && user[system_pkg::ID_LINE_BIT];
+  assign line_written_id_o    = user[2:0];
+
+  logic        line_active;
+  logic [63:0] line_oldest, line_address;
+  if (EN_LINES) begin : gen_lines
+    axi_write_lines u_lines (
+      .clk_i, .rst_ni(core_rst_ni), .start_i(line_write_valid_i && line_write_ready_o), .address_i(line_write_address_i),
+      .id_i(line_write_id_i), .written_i(line_written_valid_o), .written_id_i(user[2:0]),
+      .written_address_o(line_address), .active_o(line_active), .oldest_o(line_oldest)
+    );
+  end else begin : gen_no_lines
+    assign line_active  = 1'b0;
+    assign line_oldest  = '0;
+    assign line_address = '0;
+  end
+
+  // ---- Timeout and faults ----
+  assign active_o = pending_q != '0 || |wanted;
+  always_comb begin
+    if (result_active_i)          active_address_o = result_oldest_i;
+    else if (completion_active_i) active_address_o = {completion_place_i, 4'd0};
+    else if (line_active)         active_address_o = line_oldest;
+    else                          active_address_o = {line_write_address_i, 6'd0};
+  end
+  always_comb begin
+    fault_o.valid = fresh && m_axi_bresp_i[1] && !mutations_pkg::AXI_IGNORE_ERRORS;
+    fault_o.code  = m_axi_bresp_i[0] ? 8'(gnomon_registers_pkg::GNOMON_ERROR_CODE_IS_WRITE_DECERR)
+                                     : 8'(gnomon_registers_pkg::GNOMON_ERROR_CODE_IS_WRITE_SLVERR);
+    case (user)
+      system_pkg::ID_RESULT:     fault_o.address = result_oldest_i;
+      system_pkg::ID_DESCRIPTOR: fault_o.address = {completion_place_i, 4'd0};
+      default:                   fault_o.address = line_address;
+    endcase
+  end
+
+endmodule
