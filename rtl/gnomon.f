@@ -92,6 +92,7 @@ slb/slb_finish.sv
 slb/slb_cover.sv
 slb/slb_modify.sv
 slb/slb_plane.sv
+cache/slb_plane_cache.sv
 slb/slb_change.sv
 slb/slb_winding.sv
 slb/slb_fill_ask.sv

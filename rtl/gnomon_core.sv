@@ -115,6 +115,17 @@ module gnomon_core #(
     .valid_o(res_valid_o), .ready_i(res_ready_i), .data_o(res_data_o)
   );
 
+  // ---- Where memories lie behind caches, each at a multiple of 4 KiB, and their caches' part of the line port ----
+  localparam int unsigned WANT     = $bits(cache_pkg::want_t);
+  localparam int unsigned GIVE     = $bits(cache_pkg::give_t);
+  localparam int unsigned SLB_LINE = cache_pkg::region_lines(2 * PLANE_LOG2 - 4);
+  logic [WANT-1:0]                  plane_want;
+  logic [GIVE-1:0]                  plane_give;
+  logic [cache_pkg::EVENTS-1:0]     plane_events;
+  logic [2*WANT-1:0]                slb_want;
+  logic [2*GIVE-1:0]                slb_give;
+  logic [2*cache_pkg::EVENTS-1:0]   slb_cache_events;
+
   // ---- Silhouette-line buffer ----
   logic                    slb_start, slb_item_valid, slb_item_ready, slb_close_valid, slb_close_ready;
   logic                    slb_idle, slb_step, slb_wait, slb_valid;
@@ -268,8 +279,9 @@ module gnomon_core #(
   if (EN_FRAME_BUFFER) begin : gen_frame
     // No pass holds more: stages and reads of the offset mode; in topology mode the order queue besides, of 2^(W + 2) for
     // 2^W walks.
+    localparam int unsigned AHEAD      = (CACHE_LOG2 == 0) ? 0 : 1 << cache_pkg::QUEUE_LOG2;  // requests in a cache
     localparam int unsigned QUEUE_LOG2 =
-      EN_VPU_TOPOLOGY ? $clog2(2 * LATENCY + 48) + 3 : $clog2(LATENCY + 60);
+      EN_VPU_TOPOLOGY ? $clog2(2 * LATENCY + 48 + AHEAD / 4) + 3 : $clog2(LATENCY + 60 + AHEAD);
     logic voxel_taken;
     assign voxel_taken = (item_valid && item_ready && item_resolve) ||
                          (topology_item_valid && topology_item_ready && topology_kind == gnomon_pkg::ITEM_BEAM);
@@ -303,12 +315,13 @@ module gnomon_core #(
     slb #(
       .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .DEPTH_BITS(DEPTH_BITS),
       .PLANE_LOG2(SLB_PLANE_LOG2), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS), .ROUNDING(SLB_ROUNDING),
-      .DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
+      .DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2),
+      .FIRST_LINE(SLB_LINE)
     ) u_slb (
       .clk_i, .rst_ni, .start_i(slb_start), .item_valid_i(slb_item_valid), .item_ready_o(slb_item_ready),
       .word_i(word), .close_valid_i(slb_close_valid), .close_ready_o(slb_close_ready), .result_valid_o(slb_valid),
       .result_ready_i(result_ready), .result_o(slb_result), .idle_o(slb_idle), .step_o(slb_step), .wait_o(slb_wait),
-      .events_o(slb_events)
+      .events_o(slb_events), .cache_want_o(slb_want), .cache_give_i(slb_give), .cache_events_o(slb_cache_events)
     );
   end else begin : gen_no_slb
     assign slb_item_ready  = 1'b1;
@@ -319,8 +332,10 @@ module gnomon_core #(
     assign slb_step        = 1'b0;
     assign slb_wait        = 1'b0;
     assign slb_events      = '0;
+    assign slb_want        = '0;
+    assign slb_cache_events = '0;
     logic unused_slb;
-    assign unused_slb = ^{slb_start, slb_item_valid, slb_close_valid};
+    assign unused_slb = ^{slb_give, slb_start, slb_item_valid, slb_close_valid};
   end
 
   // ---- Offset mode ----
@@ -408,9 +423,6 @@ module gnomon_core #(
     .clk_i, .rst_ni, .valid_i(entry1_given), .ready_o(entry1_taken), .valid_o(entry1_valid), .ready_i(entry1_ready)
   );
 
-  cache_pkg::want_t   plane_want;
-  cache_pkg::give_t   plane_give;
-  cache_pkg::events_t plane_events;
   if (CACHE_LOG2 == 0) begin : gen_on_chip
     plane_memory #(
       .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .READ_LATENCY(LATENCY)
@@ -451,6 +463,7 @@ module gnomon_core #(
   // ---- Line port: all caches in turn ----
   if (CACHE_LOG2 == 0) begin : gen_no_line_port
     assign plane_give           = '0;
+    assign slb_give             = '0;
     assign line_read_valid_o    = 1'b0;
     assign line_read_address_o  = '0;
     assign line_read_id_o       = '0;
@@ -462,13 +475,26 @@ module gnomon_core #(
     assign line_write_strobe_o  = '0;
     logic unused_line;
     assign unused_line = ^{
-      plane_want, plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i,
+      plane_want, slb_want, plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i,
       line_write_ready_i, line_written_valid_i, line_written_id_i
     };
   end else begin : gen_line_port
-    cache_port #(.CLIENTS(1)) u_port (
-      .clk_i, .rst_ni, .base_i(plane_base_i), .want_i(plane_want), .give_o(plane_give), .line_read_valid_o,
-      .line_read_ready_i, .line_read_address_o, .line_read_id_o, .line_data_valid_i, .line_data_ready_o,
+    localparam int unsigned CLIENTS = EN_SLB ? 3 : 1;
+    logic [CLIENTS*WANT-1:0] want;
+    logic [CLIENTS*GIVE-1:0] give;
+    if (EN_SLB) begin : gen_both
+      assign want                   = {slb_want, plane_want};
+      assign {slb_give, plane_give} = give;
+    end else begin : gen_plane_alone
+      logic unused_want;
+      assign unused_want = ^slb_want;
+      assign want        = plane_want;
+      assign plane_give  = give;
+      assign slb_give    = '0;
+    end
+    cache_port #(.CLIENTS(CLIENTS)) u_port (
+      .clk_i, .rst_ni, .base_i(plane_base_i), .want_i(want), .give_o(give), .line_read_valid_o, .line_read_ready_i,
+      .line_read_address_o, .line_read_id_o, .line_data_valid_i, .line_data_ready_o,
       .line_data_id_i, .line_data_data_i, .line_write_valid_o, .line_write_ready_i, .line_write_address_o,
       .line_write_id_o, .line_write_data_o, .line_write_strobe_o, .line_written_valid_i, .line_written_id_i
     );
@@ -485,9 +511,10 @@ module gnomon_core #(
   end
 
   // ---- Counters ----
-  localparam logic [cache_pkg::MEMORIES-1:0]          CACHES = cache_pkg::MEMORIES'(CACHE_LOG2 != 0);
+  localparam bit                                    CACHED = CACHE_LOG2 != 0;
+  localparam logic [cache_pkg::MEMORIES-1:0]        CACHES = {3'd0, {2{CACHED && EN_SLB}}, CACHED};
   logic [cache_pkg::MEMORIES*cache_pkg::EVENTS-1:0] cache_events;
-  assign cache_events = (cache_pkg::MEMORIES * cache_pkg::EVENTS)'(plane_events);
+  assign cache_events = (cache_pkg::MEMORIES * cache_pkg::EVENTS)'({slb_cache_events, plane_events});
   logic vpu_given;
   assign vpu_given                    = vpu_valid && state_ready;
   assign events.project_off_plane     = off_plane;

@@ -64,6 +64,21 @@ inline constexpr std::uint32_t kFirstFrameCounter = 128;
 inline constexpr std::array<std::string_view, 5> kFrameEventNames{
     "FRAME_KEPT", "FRAME_OVERWRITTEN", "FRAME_LOOKUPS", "FRAME_LOOKUPS_EMPTY", "FRAME_BRICKS"};
 
+/// Counters of the caches (docs/cache.md), eight places for each memory; 0 in hardware without. Not events of the
+/// stream: other memories give others.
+inline constexpr std::uint32_t kFirstCacheCounter = 136;
+inline constexpr std::array<std::string_view, 6> kCacheMemoryNames{"PLANE", "LANES", "FRAGMENTS",
+                                                                   "HEADS", "NODES", "RECORDS"};
+enum class CacheEvent : std::uint8_t { Hits, HitsBeside, Misses, Fills, WriteBacks, Waits };
+inline constexpr std::array<std::string_view, 6> kCacheEventNames{"HITS",  "HITS_BESIDE", "MISSES",
+                                                                  "FILLS", "WRITE_BACKS", "FILL_WAITS"};
+inline std::string cache_counter_name(std::size_t memory, std::size_t event) {
+  return "CACHE_" + std::string(kCacheMemoryNames[memory]) + "_" + std::string(kCacheEventNames[event]);
+}
+inline std::uint32_t cache_counter_index(std::size_t memory, CacheEvent event) {
+  return kFirstCacheCounter + 8 * static_cast<std::uint32_t>(memory) + static_cast<std::uint32_t>(event);
+}
+
 /// Cycle counters: index kFirstCycleCounter + kCauses * pass + cause.
 inline constexpr std::uint32_t kFirstCycleCounter = 64;
 inline constexpr std::array<std::string_view, 10> kPassNames{"IDLE", "CONTROL", "CLEAR", "PROJECT", "RESOLVE",

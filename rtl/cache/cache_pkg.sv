@@ -56,6 +56,16 @@ package cache_pkg;
     logic wait_fill;   // the first of the requests waits for its line
   } events_t;
 
+  // Lines from one memory's first to the next one's, of 2^lines: multiples of 4 KiB.
+  function automatic int unsigned region_lines(int unsigned lines);
+    region_lines = (lines < 6) ? 64 : 1 << lines;
+  endfunction
+
+  // Entries of the silhouette-line buffer whose fragments, of so many bits each, share a line.
+  function automatic int unsigned slb_entries_a_line(int unsigned bits);
+    slb_entries_a_line = LINE >> $clog2(bits);
+  endfunction
+
   // Sets of a cache of 2^size bytes with two ways over 2^lines lines: never as many as lines.
   function automatic int unsigned sets_log2(int unsigned size, int unsigned lines);
     sets_log2 = (size - 7 < lines) ? size - 7 : lines - 1;

@@ -31,5 +31,4 @@ module cache_turn #(
     else if (take_i) turn_q <= (who_o == WHO'(CLIENTS - 1)) ? '0 : who_o + 1'b1;
   end
 
-
 endmodule

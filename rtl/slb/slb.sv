@@ -15,7 +15,9 @@ module slb #(
   parameter int unsigned ROUNDING        = 0,
   parameter int unsigned DIVIDERS        = 2,
   parameter int unsigned MEM_LATENCY     = 1,
-  parameter int unsigned MEM_STALL_SEED  = 0
+  parameter int unsigned MEM_STALL_SEED  = 0,
+  parameter int unsigned CACHE_LOG2      = 0,  // not 0: entries in memory, behind caches (docs/cache.md)
+  parameter int unsigned FIRST_LINE      = 0   // there
 ) (
   input  logic                    clk_i,
   input  logic                    rst_ni,
@@ -35,7 +37,11 @@ module slb #(
   output logic                    idle_o,          // without another word nothing more happens
   output logic                    step_o,          // one step of a walk, a clear, a fill or a read
   output logic                    wait_o,          // a memory holds something back
-  output gnomon_pkg::slb_events_t events_o
+  output gnomon_pkg::slb_events_t events_o,
+  // Line port of the caches: lanes, then fragments in the upper half.
+  output logic [2*$bits(cache_pkg::want_t)-1:0] cache_want_o,
+  input  logic [2*$bits(cache_pkg::give_t)-1:0] cache_give_i,
+  output logic [2*cache_pkg::EVENTS-1:0]        cache_events_o
 );
 
   localparam int unsigned D = DEPTH_BITS;
@@ -98,7 +104,7 @@ module slb #(
   slb_backend #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .DEPTH_BITS(D),
     .PLANE_LOG2(PLANE_LOG2), .QUERY_BITS(QUERY_BITS), .ROUNDING(ROUNDING), .MEM_LATENCY(MEM_LATENCY),
-    .MEM_STALL_SEED(MEM_STALL_SEED)
+    .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .FIRST_LINE(FIRST_LINE)
   ) u_backend (
     .clk_i, .rst_ni, .start_i, .header_i(header), .object_i(object_q), .flat_i(flat_q), .flat_depth_i(flat_depth_q),
     .cover_valid_i(item_valid_i && op_q == gnomon_pkg::OP_COVER), .cover_ready_o(cover_ready),
@@ -107,7 +113,8 @@ module slb #(
     .chain_op_i(chain_op), .chain_a_i(chain_a), .chain_b_i(chain_b), .chain_corner_i(chain_corner),
     .chain_depth_i(chain_depth), .wind_valid_i(wind_valid), .wind_ready_o(wind_ready), .wind_column_i(wind_column),
     .wind_row_i(wind_row), .wind_up_i(wind_up), .result_valid_o, .result_ready_i, .result_o,
-    .idle_o(backend_idle), .step_o(backend_step), .wait_o, .events_o(events)
+    .idle_o(backend_idle), .step_o(backend_step), .wait_o, .events_o(events),
+    .cache_want_o, .cache_give_i, .cache_events_o
   );
 
   assign idle_o = outline_idle && backend_idle;

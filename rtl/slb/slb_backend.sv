@@ -14,6 +14,8 @@ module slb_backend #(
   parameter int unsigned ROUNDING        = 0,
   parameter int unsigned MEM_LATENCY     = 1,
   parameter int unsigned MEM_STALL_SEED  = 0,
+  parameter int unsigned CACHE_LOG2      = 0,  // not 0: entries in memory, behind caches (docs/cache.md)
+  parameter int unsigned FIRST_LINE      = 0,  // there
   // Derived; not to be overridden.
   parameter int unsigned LINE      = slb_pkg::line_bits(FRAC_BITS, SLOPE_BITS),
   parameter int unsigned CELL_BITS = PLANE_LOG2 + 2
@@ -54,7 +56,11 @@ module slb_backend #(
   output logic                            idle_o,
   output logic                            step_o,          // one step of a clear, a fill or a read
   output logic                            wait_o,          // a memory holds something back
-  output gnomon_pkg::slb_events_t         events_o         // those of the back end
+  output gnomon_pkg::slb_events_t         events_o,        // those of the back end
+  // Line port of the caches: lanes, then fragments in the upper half.
+  output logic [2*$bits(cache_pkg::want_t)-1:0] cache_want_o,
+  input  logic [2*$bits(cache_pkg::give_t)-1:0] cache_give_i,
+  output logic [2*cache_pkg::EVENTS-1:0]        cache_events_o
 );
 
   localparam int unsigned P       = PLANE_LOG2;
@@ -250,20 +256,44 @@ module slb_backend #(
   logic [WORD-1:0]    modify_word, new_word;
   logic [OPERAND-1:0] modify_operand;
   logic [D-1:0]       line_depth;
-  slb_plane #(
-    .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .INDEX_BITS(INDEX),
-    .SLOT_BITS(SLOT), .SPAN_BITS(SPAN), .OPERAND_BITS(OPERAND), .TAG_BITS(TAG), .READ_LATENCY(MEM_LATENCY)
-  ) u_plane (
-    .clk_i, .rst_ni, .update_valid_i(update_gated), .update_ready_o(update_granted), .update_line_i(update_line),
-    .update_index_i(update_index), .update_operand_i(update_operand), .modify_valid_o(modify_valid),
-    .modify_word_o(modify_word), .modify_operand_o(modify_operand), .modify_write_i(modify_write),
-    .modify_word_i(new_word), .line_write_i(line_write),
-    .line_slots_i(modify_operand[WINDING+SLOTS+:SLOTS]), .line_covered_i(modify_operand[WINDING+:SLOTS]),
-    .line_depth_i(line_depth), .plain_write_i(plain_write), .plain_span_i(plain_span), .plain_i(plain),
-    .plain_covered_i(plain_covered), .read_valid_i(ask_gated), .read_ready_o(ask_granted), .read_index_i(ask_index),
-    .read_tag_i(ask_tag), .entry_valid_o(given), .entry_ready_i(taken), .entry_o(entry), .entry_tag_o(entry_tag),
-    .clear_i(clear_start), .scrubbing_o(scrubbing), .scrub_line_o(scrub_line), .idle_o(plane_idle)
-  );
+  if (CACHE_LOG2 == 0) begin : gen_on_chip
+    slb_plane #(
+      .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .INDEX_BITS(INDEX),
+      .SLOT_BITS(SLOT), .SPAN_BITS(SPAN), .OPERAND_BITS(OPERAND), .TAG_BITS(TAG), .READ_LATENCY(MEM_LATENCY)
+    ) u_plane (
+      .clk_i, .rst_ni, .update_valid_i(update_gated), .update_ready_o(update_granted), .update_line_i(update_line),
+      .update_index_i(update_index), .update_operand_i(update_operand), .modify_valid_o(modify_valid),
+      .modify_word_o(modify_word), .modify_operand_o(modify_operand), .modify_write_i(modify_write),
+      .modify_word_i(new_word), .line_write_i(line_write),
+      .line_slots_i(modify_operand[WINDING+SLOTS+:SLOTS]), .line_covered_i(modify_operand[WINDING+:SLOTS]),
+      .line_depth_i(line_depth), .plain_write_i(plain_write), .plain_span_i(plain_span), .plain_i(plain),
+      .plain_covered_i(plain_covered), .read_valid_i(ask_gated), .read_ready_o(ask_granted), .read_index_i(ask_index),
+      .read_tag_i(ask_tag), .entry_valid_o(given), .entry_ready_i(taken), .entry_o(entry), .entry_tag_o(entry_tag),
+      .clear_i(clear_start), .scrubbing_o(scrubbing), .scrub_line_o(scrub_line), .idle_o(plane_idle)
+    );
+    logic unused_give;
+    assign unused_give    = (^cache_give_i) ^ (FIRST_LINE == 0);
+    assign cache_want_o   = '0;
+    assign cache_events_o = '0;
+  end else begin : gen_cached
+    slb_plane_cache #(
+      .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .INDEX_BITS(INDEX),
+      .SLOT_BITS(SLOT), .SPAN_BITS(SPAN), .OPERAND_BITS(OPERAND), .TAG_BITS(TAG), .SIZE_LOG2(CACHE_LOG2),
+      .FIRST_LINE(FIRST_LINE)
+    ) u_plane (
+      .clk_i, .rst_ni, .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index), .update_operand_i(update_operand), .modify_valid_o(modify_valid),
+      .modify_word_o(modify_word), .modify_operand_o(modify_operand), .modify_write_i(modify_write),
+      .modify_word_i(new_word), .line_write_i(line_write),
+      .line_slots_i(modify_operand[WINDING+SLOTS+:SLOTS]), .line_covered_i(modify_operand[WINDING+:SLOTS]),
+      .line_depth_i(line_depth), .plain_write_i(plain_write), .plain_span_i(plain_span), .plain_i(plain),
+      .plain_covered_i(plain_covered), .read_valid_i(ask_gated), .read_ready_o(ask_granted), .read_index_i(ask_index),
+      .read_tag_i(ask_tag), .entry_valid_o(given), .entry_ready_i(taken), .entry_o(entry), .entry_tag_o(entry_tag),
+      .clear_i(clear_start), .scrubbing_o(scrubbing), .scrub_line_o(scrub_line), .idle_o(plane_idle),
+      .want_o(cache_want_o), .give_i(cache_give_i), .events_o(cache_events_o)
+    );
+    logic unused_line;
+    assign unused_line = update_line;
+  end
   slb_modify #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .PLANE_LOG2(P),
     .ROUNDING(ROUNDING)

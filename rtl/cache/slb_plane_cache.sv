@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// The entries of the silhouette-line buffer in memory: the ports of slb_plane behind two caches in step, one of full depths
+// and flags, one of fragments (docs/cache.md). What FILL says of plain lines stays on chip.
+//
+//   lanes:     {present, has fragments, covered, rim, full_depth} of 16 pixels of a row, 32 bits each
+//   fragments: {answers at the centre, fragments, corner, open, overflow, count}, a power of two of bits each
+
+`include "assertions.svh"
+
+module slb_plane_cache #(
+  parameter int unsigned FRAC_BITS       = 7,
+  parameter int unsigned SLOPE_BITS      = 7,
+  parameter int unsigned FRAGS_PER_PIXEL = 2,
+  parameter int unsigned DEPTH_BITS      = 20,
+  parameter int unsigned INDEX_BITS      = 16,
+  parameter int unsigned SLOT_BITS       = 4,    // 2^SLOT_BITS pixels a line of lanes
+  parameter int unsigned SPAN_BITS       = 2,    // 2^SPAN_BITS lines a span
+  parameter int unsigned OPERAND_BITS    = 64,   // the highest two say what kind of update
+  parameter int unsigned TAG_BITS        = 64,
+  parameter int unsigned SIZE_LOG2       = 15,   // bytes: a quarter for lanes, half for fragments
+  parameter int unsigned FIRST_LINE      = 0,
+  // Derived; not to be overridden.
+  parameter int unsigned ENTRY = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS),
+  parameter int unsigned WORD  = ENTRY + FRAGS_PER_PIXEL + 2,  // {covered, rim, centre, entry}
+  parameter int unsigned SLOTS = 1 << SLOT_BITS,
+  parameter int unsigned SPAN  = 1 << SPAN_BITS,
+  parameter int unsigned SPANS = INDEX_BITS - SLOT_BITS - SPAN_BITS
+) (
+  input  logic                        clk_i,
+  input  logic                        rst_ni,
+  // Update port: of an entry, and of others in its line.
+  input  logic                        update_valid_i,
+  output logic                        update_ready_o,
+  input  logic [INDEX_BITS-1:0]       update_index_i,
+  input  logic [OPERAND_BITS-1:0]     update_operand_i,
+  // The unit's modify function, combinational. Of a line: which slots get new flags, which of them are covered, which depth
+  // those get at most.
+  output logic                        modify_valid_o,
+  output logic [WORD-1:0]             modify_word_o,
+  output logic [OPERAND_BITS-1:0]     modify_operand_o,
+  input  logic                        modify_write_i,
+  input  logic [WORD-1:0]             modify_word_i,
+  input  logic                        line_write_i,
+  input  logic [SLOTS-1:0]            line_slots_i,
+  input  logic [SLOTS-1:0]            line_covered_i,
+  input  logic [DEPTH_BITS-1:0]       line_depth_i,
+  // FILL's word on the lines of a span, beside the updates.
+  input  logic [SPAN-1:0]             plain_write_i,
+  input  logic [SPANS-1:0]            plain_span_i,
+  input  logic [SPAN-1:0]             plain_i,
+  input  logic [SPAN-1:0]             plain_covered_i,
+  // Read port.
+  input  logic                        read_valid_i,
+  output logic                        read_ready_o,
+  input  logic [INDEX_BITS-1:0]       read_index_i,
+  input  logic [TAG_BITS-1:0]         read_tag_i,
+  output logic                        entry_valid_o,
+  input  logic                        entry_ready_i,
+  output logic [ENTRY-1:0]            entry_o,
+  output logic [TAG_BITS-1:0]         entry_tag_o,
+  // Clear; only while idle. After reset every line of the neighbours' memories is scrubbed.
+  input  logic                        clear_i,
+  output logic                        scrubbing_o,
+  output logic [INDEX_BITS-SLOT_BITS-1:0] scrub_line_o,
+  output logic                        idle_o,
+  // Line port: lanes, then fragments in the upper half.
+  output logic [2*$bits(cache_pkg::want_t)-1:0]   want_o,
+  input  logic [2*$bits(cache_pkg::give_t)-1:0]   give_i,
+  output logic [2*cache_pkg::EVENTS-1:0]          events_o
+);
+
+  localparam int unsigned D         = DEPTH_BITS;
+  localparam int unsigned K         = FRAGS_PER_PIXEL;
+  localparam int unsigned LOW       = slb_pkg::count_bits(K) + 2 + slb_pkg::CORNER_BITS;  // below full_depth
+  localparam int unsigned HIGH      = ENTRY - LOW - D;                                    // fragments
+  localparam int unsigned FRAG      = K + HIGH + LOW;
+  localparam int unsigned PER_LINE  = cache_pkg::slb_entries_a_line(FRAG);                // entries' fragments
+  localparam int unsigned PER_LOG2  = $clog2(PER_LINE);
+  localparam int unsigned PLACE     = cache_pkg::LINE / PER_LINE;                         // bits of one
+  localparam int unsigned PLACE_BANKS = PLACE / cache_pkg::BANK;
+  localparam int unsigned LINE_BITS = INDEX_BITS - SLOT_BITS;
+  localparam int unsigned FRAG_LINE_BITS = INDEX_BITS - PER_LOG2;
+  localparam int unsigned PAYLOAD   = gnomon_pkg::max_of(OPERAND_BITS, TAG_BITS);
+  localparam int unsigned BANK      = cache_pkg::BANK;
+  localparam int unsigned BANKS     = cache_pkg::BANKS;
+  localparam int unsigned LINE      = cache_pkg::LINE;
+  localparam int unsigned LANES_SIZE     = SIZE_LOG2 - 2;
+  localparam int unsigned FRAGMENTS_SIZE = SIZE_LOG2 - 1;
+  localparam int unsigned FIRST_FRAGMENT = FIRST_LINE + cache_pkg::region_lines(LINE_BITS);
+
+  // ---- Clear: the caches forget; the neighbours' memories are scrubbed ----
+  logic                                   scrub_last, unused_scrub, lanes_clear_ready, fragments_clear_ready, clear_q;
+  logic [gnomon_pkg::GENERATION_BITS-1:0] generation;
+  plane_clear #(.LINE_ADDRESS_BITS(LINE_BITS)) u_clear (
+    .clk_i, .rst_ni, .clear_i, .scrubbing_o, .last_o(scrub_last), .line_o(scrub_line_o), .generation_o(generation)
+  );
+  assign unused_scrub = scrub_last ^ (^generation);
+  // The caches may still be writing back: nothing is taken until they have been cleared.
+  logic clear_caches;
+  assign clear_caches = clear_q && lanes_clear_ready && fragments_clear_ready;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni)           clear_q <= 1'b0;
+    else if (clear_i)      clear_q <= 1'b1;
+    else if (clear_caches) clear_q <= 1'b0;
+  end
+
+  // ---- Requests: updates first; into both caches or into neither ----
+  logic                  closed, wanted, lanes_ready, fragments_ready, take, with_fragments;
+  logic [INDEX_BITS-1:0] index;
+  logic [PAYLOAD-1:0]    payload;
+  assign closed         = scrubbing_o || clear_q;
+  assign wanted         = (update_valid_i || read_valid_i) && !closed;
+  assign index          = update_valid_i ? update_index_i : read_index_i;
+  assign payload        = update_valid_i ? PAYLOAD'(update_operand_i) : PAYLOAD'(read_tag_i);
+  assign with_fragments = !(update_valid_i && update_operand_i[OPERAND_BITS-1-:2] == slb_pkg::UPDATE_LINE);
+  assign take           = lanes_ready && fragments_ready && !closed;
+  assign update_ready_o = take;
+  assign read_ready_o   = take && !update_valid_i;
+
+  logic                                  lanes_first, fragments_first, room, serve, first_read, hand;
+  logic [1+INDEX_BITS+PAYLOAD-1:0]       first_info, hand_info;
+  logic [LINE-1:0]                       lanes_line, fragments_line, lanes_new, fragments_new;
+  logic [BANKS-1:0]                      lanes_write, fragments_write;
+  logic                                  lanes_idle, fragments_idle;
+  cache_pkg::want_t                      lanes_want, fragments_want;
+  cache_pkg::give_t                      lanes_give, fragments_give;
+  cache_pkg::events_t                    lanes_events, fragments_events;
+  assign want_o                       = {fragments_want, lanes_want};
+  assign {fragments_give, lanes_give} = give_i;
+  assign events_o                     = {fragments_events, lanes_events};
+  assign first_read = first_info[INDEX_BITS+PAYLOAD];
+  assign serve      = lanes_first && fragments_first && (room || !first_read);
+
+  // Of both caches only the first request beside x is not used.
+  logic lanes_y_ready, lanes_first_y, lanes_y, lanes_y_info;
+  logic fragments_y_ready, fragments_first_y, fragments_y, fragments_y_info, fragments_first_info, fragments_info;
+  logic fragments_hand, unused_y;
+  logic [LINE-1:0] lanes_y_line, fragments_y_line;
+  assign unused_y = ^{
+    lanes_y_ready, lanes_first_y, lanes_y, lanes_y_info, lanes_y_line, fragments_y_ready, fragments_first_y, fragments_y,
+    fragments_y_info, fragments_y_line, fragments_first_info, fragments_info, fragments_hand
+  };
+  line_cache #(
+    .LINE_BITS(LINE_BITS), .SIZE_LOG2(LANES_SIZE), .FIRST_LINE(FIRST_LINE), .X_BITS(1 + INDEX_BITS + PAYLOAD)
+  ) u_lanes (
+    .clk_i, .rst_ni, .x_valid_i(wanted && fragments_ready), .x_ready_o(lanes_ready), .x_use_i(1'b1),
+    .x_line_i(index[INDEX_BITS-1:SLOT_BITS]), .x_info_i({!update_valid_i, index, payload}), .y_valid_i(1'b0),
+    .y_ready_o(lanes_y_ready), .y_line_i('0), .y_info_i(1'b0), .first_valid_o(lanes_first),
+    .first_x_info_o(first_info), .first_y_o(lanes_first_y), .serve_i(serve), .hand_valid_o(hand),
+    .x_info_o(hand_info), .x_line_o(lanes_line), .y_o(lanes_y), .y_info_o(lanes_y_info), .y_line_o(lanes_y_line),
+    .write_i(lanes_write), .write_line_i(lanes_new), .clear_i(clear_caches), .clear_ready_o(lanes_clear_ready),
+    .idle_o(lanes_idle), .want_o(lanes_want), .give_i(lanes_give), .events_o(lanes_events)
+  );
+  line_cache #(
+    .LINE_BITS(FRAG_LINE_BITS), .SIZE_LOG2(FRAGMENTS_SIZE), .FIRST_LINE(FIRST_FRAGMENT), .X_BITS(1)
+  ) u_fragments (
+    .clk_i, .rst_ni, .x_valid_i(wanted && lanes_ready), .x_ready_o(fragments_ready), .x_use_i(with_fragments),
+    .x_line_i(index[INDEX_BITS-1:PER_LOG2]), .x_info_i(1'b0), .y_valid_i(1'b0), .y_ready_o(fragments_y_ready),
+    .y_line_i('0), .y_info_i(1'b0), .first_valid_o(fragments_first), .first_x_info_o(fragments_first_info),
+    .first_y_o(fragments_first_y), .serve_i(serve), .hand_valid_o(fragments_hand), .x_info_o(fragments_info),
+    .x_line_o(fragments_line), .y_o(fragments_y), .y_info_o(fragments_y_info), .y_line_o(fragments_y_line),
+    .write_i(fragments_write), .write_line_i(fragments_new), .clear_i(clear_caches),
+    .clear_ready_o(fragments_clear_ready), .idle_o(fragments_idle), .want_o(fragments_want), .give_i(fragments_give),
+    .events_o(fragments_events)
+  );
+
+  // ---- Plain lines, read when a request is served ----
+  logic [SPANS-1:0]  first_span;
+  logic [2*SPAN-1:0] plain;
+  logic              line_plain, line_covered;
+  assign first_span = first_info[PAYLOAD+SLOT_BITS+SPAN_BITS+:SPANS];
+  for (genvar i = 0; i < SPAN; i++) begin : gen_plain
+    logic [1:0] unused_plain;
+    plane_bank #(.ADDRESS_BITS(SPANS), .WIDTH(2)) u_bank (
+      .clk_i, .a_read_i(serve), .a_address_i(first_span), .a_word_o(plain[2*i+:2]),
+      .b_read_i(1'b0), .b_write_i(plain_write_i[i]), .b_address_i(plain_span_i),
+      .b_word_i({plain_i[i], plain_covered_i[i]}), .b_word_o(unused_plain)
+    );
+  end
+
+  // ---- The entry in hand ----
+  logic                     hand_read;
+  logic [INDEX_BITS-1:0]    hand_index;
+  logic [PAYLOAD-1:0]       hand_payload;
+  logic [SLOT_BITS-1:0]     slot;
+  logic [31:0]              span_line, frag_place;
+  logic                     lane_present, lane_has, lane_covered, lane_rim;
+  logic [D-1:0]             lane_full;
+  logic [FRAG-1:0]          seen;
+  logic [WORD-1:0]          word;
+  assign {hand_read, hand_index, hand_payload} = hand_info;
+  assign slot       = hand_index[SLOT_BITS-1:0];
+  assign span_line  = (32'(hand_index) >> SLOT_BITS) & 32'(SPAN - 1);
+  assign frag_place = 32'(hand_index) & 32'(PER_LINE - 1);
+  assign {line_plain, line_covered} = plain[2*span_line+:2];
+  assign {lane_present, lane_has, lane_covered, lane_rim, lane_full} = lanes_line[slot*BANK+:D+4];
+  assign seen = (lane_present && lane_has) ? fragments_line[frag_place*PLACE+:FRAG] : '0;
+  assign word = {
+    line_plain ? line_covered : lane_covered, lane_rim && !line_plain, seen[LOW+:K+HIGH],
+    lane_present ? lane_full : {D{1'b1}}, seen[LOW-1:0]
+  };
+  assign modify_valid_o   = hand && !hand_read;
+  assign modify_word_o    = word;
+  assign modify_operand_o = hand_payload[OPERAND_BITS-1:0];
+
+  // ---- What becomes of it, and of its line ----
+  logic            write, line_write, new_covered, new_rim;
+  logic [K-1:0]    new_centre;
+  logic [HIGH-1:0] new_high;
+  logic [D-1:0]    new_full;
+  logic [LOW-1:0]  new_low;
+  assign {new_covered, new_rim, new_centre, new_high, new_full, new_low} = modify_word_i;
+  assign write      = modify_valid_o && modify_write_i;
+  assign line_write = modify_valid_o && line_write_i;
+  for (genvar i = 0; i < BANKS; i++) begin : gen_lanes
+    if (i < SLOTS) begin : gen_slot
+      logic         entry_write, old_present, old_has, old_covered, old_rim, lower, unused_flags;
+      logic [D-1:0] old_full;
+      assign {old_present, old_has, old_covered, old_rim, old_full} = lanes_line[i*BANK+:D+4];
+      assign unused_flags = old_covered ^ old_rim;
+      assign entry_write  = write && slot == SLOT_BITS'(i);
+      // No depth is nearer than all ones: without a flat caster the entry stays as empty as it was.
+      assign lower        = line_covered_i[i] && line_depth_i < (old_present ? old_full : {D{1'b1}});
+      assign lanes_write[i] = entry_write || (line_write && line_slots_i[i]);
+      assign lanes_new[i*BANK+:BANK] = entry_write ? BANK'({1'b1, 1'b1, new_covered, new_rim, new_full}) :
+        BANK'({lower || old_present, old_has && old_present, line_covered_i[i], 1'b0, lower ? line_depth_i : old_full});
+    end else begin : gen_none
+      assign lanes_write[i]          = 1'b0;
+      assign lanes_new[i*BANK+:BANK] = '0;
+    end
+  end
+  for (genvar i = 0; i < PER_LINE; i++) begin : gen_fragments
+    assign fragments_write[i*PLACE_BANKS+:PLACE_BANKS] = (write && frag_place == 32'(i)) ? '1 : '0;
+    assign fragments_new[i*PLACE+:PLACE]               = PLACE'({new_centre, new_high, new_low});
+  end
+
+  // ---- Answers ----
+  logic none;
+  cache_answers #(.WIDTH(ENTRY + TAG_BITS)) u_answers (
+    .clk_i, .rst_ni, .expect_i(serve && first_read), .room_o(room), .valid_i(hand && hand_read),
+    .data_i({word[ENTRY-1:0], hand_payload[TAG_BITS-1:0]}), .valid_o(entry_valid_o), .ready_i(entry_ready_i),
+    .data_o({entry_o, entry_tag_o}), .none_o(none)
+  );
+
+  assign idle_o = !closed && lanes_idle && fragments_idle && none;
+
+  logic unused_first;
+  assign unused_first = ^first_info[PAYLOAD+SLOT_BITS+SPAN_BITS-1:0];
+
+  `GNOMON_ASSERT(a_in_step, hand == fragments_hand)
+  `GNOMON_ASSERT(a_write_with_fragments, !write || hand_payload[OPERAND_BITS-1-:2] != slb_pkg::UPDATE_LINE)
+
+endmodule
