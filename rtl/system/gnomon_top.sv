@@ -235,8 +235,17 @@ module gnomon_top #(
   assign m_axis_tvalid_o = res_valid && source;
   assign m_axis_tdata_o  = res_data;
   assign res_ready       = source ? m_axis_tready_i : ring_result_ready;
-  assign word_awaited    = !source && (dma_waiting || fetch_waiting);
-  assign result_awaited  = !source && result_waiting;
+
+  // Waiting for the bus ends a cycle later behind the registers of the core's ports.
+  logic word_late, word_late_q, result_late, result_late_q;
+  assign word_late      = !source && (dma_waiting || fetch_waiting);
+  assign result_late    = !source && result_waiting;
+  assign word_awaited   = word_late || word_late_q;
+  assign result_awaited = result_late || result_late_q;
+  always_ff @(posedge clk_i) begin
+    word_late_q   <= core_rst_n && word_late;
+    result_late_q <= core_rst_n && result_late;
+  end
 
   // The clear after reset is nothing that software waits for.
   logic untouched_q, active;

@@ -36,8 +36,8 @@ inline std::string Tally::text() const {
 template <class Model>
 class Campaign {
  public:
-  explicit Campaign(std::uint32_t seed, const std::string& plusarg = {})
-      : random_(seed), seed_(seed * 100'000ULL), bench_(seed, plusarg) {}
+  Campaign(const golden::HardwareConfig& config, std::uint32_t seed, const std::string& plusarg = {})
+      : config_(config), random_(seed), seed_(seed * 100'000ULL), bench_(seed, plusarg), reference_(config) {}
 
   /// Rounds until so many are done, or until something is wrong that a mutant should show.
   const Tally& run(unsigned rounds, bool stop_at_first = false) {
@@ -93,7 +93,7 @@ class Campaign {
   }
 
   std::vector<Word> next_job() {
-    std::vector<Word> words = random_job(++seed_, 12);
+    std::vector<Word> words = random_job(config_, ++seed_, 12);
     expected_ = reference_.run(words);
     job_ = static_cast<std::uint16_t>(seed_ % 60'000);
     bench_.submit(words, job_, 1 + pick(3), pick(512));
@@ -199,6 +199,7 @@ class Campaign {
     return false;
   }
 
+  golden::HardwareConfig config_;
   std::mt19937 random_;
   std::uint64_t seed_;
   TopBench<Model> bench_;

@@ -3,6 +3,7 @@
 // noticed.
 #include <gtest/gtest.h>
 
+#include "Vsystem_cached.h"
 #include "Vsystem_faulty.h"
 #include "Vsystem_narrow.h"
 #include "Vsystem_wide.h"
@@ -13,8 +14,8 @@ namespace gnomon::rtl_test {
 namespace {
 
 template <class Model>
-void expect_clean(std::uint32_t seed, unsigned rounds) {
-  Campaign<Model> campaign(seed);
+void expect_clean(const golden::HardwareConfig& config, std::uint32_t seed, unsigned rounds) {
+  Campaign<Model> campaign(config, seed);
   const Tally& tally = campaign.run(rounds);
   SCOPED_TRACE(tally.text());
   testing::Test::RecordProperty("tally", tally.text());
@@ -26,10 +27,14 @@ void expect_clean(std::uint32_t seed, unsigned rounds) {
 }
 
 TEST(SystemFaults, NarrowBusRecoversFromEach) {
-  expect_clean<Vsystem_narrow>(1, 600);
+  expect_clean<Vsystem_narrow>(kSmall, 1, 600);
 }
 TEST(SystemFaults, WideBusRecoversFromEach) {
-  expect_clean<Vsystem_wide>(2, 400);
+  expect_clean<Vsystem_wide>(kSmall, 2, 400);
+}
+
+TEST(SystemFaults, PlanesInMemoryRecoverFromEach) {
+  expect_clean<Vsystem_cached>(kCached, 4, 400);
 }
 
 class SeededFault : public testing::TestWithParam<std::string_view> {};
@@ -46,7 +51,7 @@ std::string_view broken_assertion(std::string_view fault) {
 
 TEST_P(SeededFault, IsNoticed) {
   testing::internal::CaptureStdout();
-  Campaign<Vsystem_faulty> campaign(3, std::string(GetParam()));
+  Campaign<Vsystem_faulty> campaign(kSmall, 3, std::string(GetParam()));
   const Tally tally = campaign.run(60, true);
   const std::string output = testing::internal::GetCapturedStdout();
   EXPECT_FALSE(tally.clean()) << tally.text();
@@ -56,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(System, SeededFault, testing::ValuesIn(stimulus::kSyste
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(SystemFaults, BuildWithSeededFaultsIsSoundWithoutOne) {
-  Campaign<Vsystem_faulty> campaign(3);
+  Campaign<Vsystem_faulty> campaign(kSmall, 3);
   const Tally& tally = campaign.run(60);
   EXPECT_TRUE(tally.clean()) << tally.text();
 }

@@ -13,16 +13,15 @@
 
 namespace gnomon::rtl_test {
 
-/// Of the builds under test (CMakeLists.txt).
-inline golden::HardwareConfig small_config() {
-  return {.plane_log2 = 5};
-}
+/// Of the builds under test (CMakeLists.txt); those with a cache have a plane that does not fit it.
+inline constexpr golden::HardwareConfig kSmall{.plane_log2 = 5};
+inline constexpr golden::HardwareConfig kCached{.plane_log2 = 7};
 
 /// Commands, and results of a golden engine that lives from reset to reset as the hardware does.
 class Reference {
  public:
-  Reference() { reset(); }
-  void reset() { engine_ = golden::make_golden_engine(small_config()); }
+  explicit Reference(const golden::HardwareConfig& config) : config_(config) { reset(); }
+  void reset() { engine_ = golden::make_golden_engine(config_); }
   std::vector<Word> run(const std::vector<Word>& words) {
     std::vector<Word> results;
     engine_->submit(words);
@@ -33,11 +32,12 @@ class Reference {
   golden::Counters counters() const { return engine_->counters(); }
 
  private:
+  golden::HardwareConfig config_;
   std::unique_ptr<golden::Engine> engine_;
 };
 
-inline std::vector<Word> random_job(std::uint64_t seed, int commands) {
-  return stimulus::random_stream(small_config(), {.seed = seed, .commands = commands, .max_items = 40});
+inline std::vector<Word> random_job(const golden::HardwareConfig& config, std::uint64_t seed, int commands) {
+  return stimulus::random_stream(config, {.seed = seed, .commands = commands, .max_items = 40});
 }
 
 inline std::uint32_t error_words(const std::vector<Word>& results) {
