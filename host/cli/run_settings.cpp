@@ -38,6 +38,10 @@ pipeline::RunSettings run_settings(const config::Settings& settings) {
   run.vpu = vpu_settings(settings);
   run.topology = topology_settings(settings, run.vpu);
   run.slb = slb_settings(settings);
+  run.maps.memory = settings.word("map_memory");
+  run.maps.side = static_cast<int>(settings.integer("map_side"));
+  run.maps.kernel = static_cast<int>(settings.integer("pcf_kernel"));
+  run.ray_sag = settings.number("ray_sag");
   run.frame_buffer = settings.is_on("frame_buffer");
   run.clock_mhz = settings.number("clock_mhz");
   run.image_width = static_cast<int>(settings.integer("image_width"));

@@ -101,12 +101,14 @@ struct ExactReference::Geometry {
       const ParametricMesh mesh = triangulate(surfaces[i], cells.rects[i], box.center());
       triangles += mesh.triangles.size();
       scene.add(mesh.points, mesh.triangles);
+      object_of_mesh.push_back(static_cast<std::uint32_t>(i));
     }
     scene.commit();
   }
 
   ReferenceObjects objects;
   RayScene scene;
+  std::vector<std::uint32_t> object_of_mesh;
   double sag = 0, lift = 0;
   std::size_t triangles = 0;
 };
@@ -172,6 +174,29 @@ bool ExactReference::blocked(const Vec3& point) const {
   return impl_->blocked(point);
 }
 
+SheetsMet ExactReference::sheets(const Vec3& start, const Vec3& direction,
+                                 const std::vector<bool>& of) const {
+  const Geometry& geometry = *impl_->geometry;
+  std::vector<std::uint32_t> hits(of.size(), 0);
+  SheetsMet met;
+  double at = 0;
+  bool any = false;
+  for (auto hit = geometry.scene.first_hit(start, direction); hit;
+       hit = geometry.scene.first_hit(start + direction * at, direction)) {
+    at += double{hit->distance};
+    const std::uint32_t object = geometry.object_of_mesh.at(hit->mesh);
+    if (flag(of, object, false)) {
+      if (!any) met.nearest = at;
+      any = true;
+      ++hits[object];
+    }
+    at += geometry.lift;  // past what was met
+  }
+  for (std::uint32_t object = 0; object < hits.size(); ++object)
+    met.count += flag(geometry.objects.two_sided, object, false) ? hits[object] : (hits[object] + 1) / 2;
+  return met;
+}
+
 std::vector<Exact> ExactReference::classify(std::span<const SurfaceQuery> queries) const {
   std::vector<Exact> answers(queries.size());
   tbb::parallel_for(std::size_t{0}, queries.size(),
@@ -196,6 +221,9 @@ double ExactReference::lift() const {
 }
 std::size_t ExactReference::triangles() const {
   return impl_->geometry->triangles;
+}
+std::uint64_t ExactReference::memory_bytes() const {
+  return impl_->geometry->scene.memory_bytes();
 }
 std::uint64_t ExactReference::rays() const {
   return impl_->rays.combine([](std::uint64_t a, std::uint64_t b) { return a + b; });

@@ -41,6 +41,12 @@ struct ReferenceObjects {
   std::vector<bool> receives;   ///< false: lit wherever it faces a light that reaches it
 };
 
+/// What a ray meets.
+struct SheetsMet {
+  double nearest = 0;       ///< of the first, in units of the ray's direction; 0 if there is none
+  std::uint32_t count = 0;  ///< sheets that face the ray's start; of open surfaces both sides do
+};
+
 /// Answers shadow queries for one light, in grid coordinates. Thread-safe.
 class ExactReference {
  public:
@@ -62,6 +68,9 @@ class ExactReference {
   bool occluded(const Vec3& point, const Vec3& normal, std::uint32_t object) const;
   /// Whether anything lies between a point of space and the light.
   bool blocked(const Vec3& point) const;
+  /// All sheets of the objects with `of[object]` (missing: none) that a ray from `start`, outside every
+  /// closed object, along `direction`, of unit length, meets.
+  SheetsMet sheets(const Vec3& start, const Vec3& direction, const std::vector<bool>& of) const;
   /// All queries, on all cores.
   std::vector<Exact> classify(std::span<const SurfaceQuery> queries) const;
 
@@ -72,6 +81,8 @@ class ExactReference {
   double lift() const;  ///< voxels by which a ray starts above the surface
   std::size_t triangles() const;
   std::uint64_t rays() const;  ///< cast so far
+  /// Of triangles and the hierarchy over them.
+  std::uint64_t memory_bytes() const;
 
  private:
   struct Geometry;

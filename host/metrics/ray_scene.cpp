@@ -4,6 +4,8 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -47,6 +49,7 @@ struct RayScene::Impl {
   explicit Impl(const Vec3& c) : center(c) {
     device = rtcNewDevice(nullptr);
     if (device == nullptr) throw std::runtime_error("Embree could not be started");
+    rtcSetDeviceMemoryMonitorFunction(device, count_memory, this);
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     check(device, "making a scene");
@@ -55,12 +58,18 @@ struct RayScene::Impl {
     rtcReleaseScene(scene);
     rtcReleaseDevice(device);
   }
+  /// Embree calls this from all threads, before it takes memory and after it gave some back.
+  static bool count_memory(void* impl, ssize_t bytes, bool) {
+    static_cast<Impl*>(impl)->memory += bytes;
+    return true;
+  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   Vec3 center;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::atomic<std::int64_t> memory{0};  ///< bytes
 };
 
 RayScene::RayScene(const Vec3& center) : impl_(std::make_unique<Impl>(center)) {}
@@ -104,6 +113,10 @@ bool RayScene::any_hit(const Vec3& origin, const Vec3& direction, double reach) 
   if (reach < double{std::numeric_limits<float>::max()}) ray.tfar = static_cast<float>(reach);
   rtcOccluded1(impl_->scene, &context, &ray);
   return ray.tfar < 0;
+}
+
+std::uint64_t RayScene::memory_bytes() const {
+  return static_cast<std::uint64_t>(std::max(std::int64_t{0}, impl_->memory.load()));
 }
 
 }  // namespace gnomon::metrics

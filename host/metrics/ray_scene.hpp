@@ -37,6 +37,9 @@ class RayScene {
   /// `reach` in units of the direction, at least 0; may be infinite.
   bool any_hit(const Vec3& origin, const Vec3& direction, double reach) const;
 
+  /// What Embree holds for it: triangles and the hierarchy over them.
+  std::uint64_t memory_bytes() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

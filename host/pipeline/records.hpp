@@ -47,6 +47,13 @@ report::MislabelCounts mask_record(const render::Picture& picture, const render:
 /// Fills what `record` says of all lights and views together from record.lights and record.hardware.
 void add_totals(report::RunRecord& record);
 
+/// Adds what one view's pass took to that of the others, by pass and cause.
+void add_cycles(std::vector<report::PassCycles>& sum, const std::vector<report::PassCycles>& more);
+
+/// All of a hardware's memory but the frame buffer: planes, lists and scratch, by the formulas of
+/// metrics.json.
+std::uint64_t hardware_memory_bits(const golden::HardwareConfig& hardware);
+
 /// The index of the scene's ground, if it has one.
 std::optional<std::uint32_t> ground_of(const scene::Scene& scene);
 

@@ -14,6 +14,7 @@
 #include "host/pipeline/lit_scene.hpp"
 #include "host/pipeline/npy.hpp"
 #include "host/pipeline/scene_meshes.hpp"
+#include "host/pipeline/software_technique.hpp"
 #include "host/pipeline/technique_job.hpp"
 #include "host/render/png_file.hpp"
 #include "host/report/metrics_json.hpp"
@@ -132,10 +133,11 @@ Result<void> check(const RunRequest& request) {
   if (request.scene.objects.empty()) return fail(source + ": has no objects, expected at least one");
   if (request.settings.techniques.empty()) return fail("technique is empty, expected at least one");
   for (const std::string& name : request.settings.techniques) {
-    if (request.frames > 0 && request.scene.lights.size() > 1 && name.starts_with("slb"))
+    if (request.frames > 0 && request.scene.lights.size() > 1 &&
+        (name.starts_with("slb") || is_software(name)))
       return fail(
-          fmt::format("{}: has {} lights, expected one with technique={} and --frames: its buffer "
-                      "holds the silhouettes of one light at a time",
+          fmt::format("{}: has {} lights, expected one with technique={} and --frames: it keeps what it "
+                      "knows of one light at a time",
                       source, request.scene.lights.size(), name));
   }
   return check_lights(request.scene, request.settings.techniques);

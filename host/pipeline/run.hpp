@@ -31,20 +31,30 @@ enum class EngineKind : std::uint8_t {
   Rtl,     ///< the Verilated unit, compared with golden word for word
 };
 
+/// Of plain-map and pcf (docs/techniques.md).
+struct MapSettings {
+  std::string memory = "slb";  ///< the hardware technique whose memory the map has
+  int side = 0;                ///< texels; 0: as many as fit into that memory
+  int kernel = 3;              ///< texels that pcf reads on each axis
+};
+
 /// What the user may choose; the names are those of the parameters of `gnomon params`.
 struct RunSettings {
   std::uint32_t res = 256;
   voxel::Adjacency adjacency = voxel::Adjacency::N26;
-  /// Of "voxel-offset", "voxel-topology", "slb", "slb+voxel", each once; the first leads the report.
+  /// Of "voxel-offset", "voxel-topology", "slb", "slb+voxel", "plain-map", "pcf", "raycast", each once; the
+  /// first leads the report.
   std::vector<std::string> techniques{"voxel-offset"};
   plan::VpuSettings vpu;
   plan::TopologySettings topology;
   plan::SlbSettings slb;
-  bool frame_buffer = false;  ///< states are kept by the hardware and looked up (docs/frame-buffer.md)
-  double clock_mhz = 100;     ///< the clock at which cycles are told as time
-  int image_width = 960;      ///< pixels
-  int image_height = 720;     ///< pixels
-  unsigned threads = 0;       ///< 0: all cores
+  MapSettings maps;
+  double ray_sag = 1.0 / 512;  ///< voxels: of raycast's own tessellation
+  bool frame_buffer = false;   ///< states are kept by the hardware and looked up (docs/frame-buffer.md)
+  double clock_mhz = 100;      ///< the clock at which cycles are told as time
+  int image_width = 960;       ///< pixels
+  int image_height = 720;      ///< pixels
+  unsigned threads = 0;        ///< 0: all cores
 };
 
 /// Called with the stage's name and 0..1, from one thread at a time.

@@ -9,6 +9,7 @@
 
 #include "host/pipeline/kept_states.hpp"
 #include "host/pipeline/slb_technique.hpp"
+#include "host/pipeline/software_technique.hpp"
 #include "host/pipeline/voxel_offset.hpp"
 #include "host/pipeline/voxel_topology.hpp"
 
@@ -41,7 +42,7 @@ Result<Techniques> with_one_plane(RunSettings settings, std::span<const Techniqu
 }
 
 bool is_directional_only(const std::string& technique) {
-  return technique.starts_with("slb");
+  return technique.starts_with("slb") || technique == "plain-map" || technique == "pcf";
 }
 
 }  // namespace
@@ -78,14 +79,21 @@ Result<Techniques> make_plain(const std::string& name, const RunSettings& settin
   if (name == "voxel-topology") return each(settings, views, make_voxel_topology);
   if (name == "slb") return with_one_plane(settings, views, make_slb);
   if (name == "slb+voxel") return with_one_plane(settings, views, make_slb_with_voxels);
-  return fail(fmt::format(
-      "technique={} is unknown, expected one of voxel-offset, voxel-topology, slb, slb+voxel", name));
+  if (name == "plain-map") return make_maps(settings, views, 1);
+  if (name == "pcf") return make_maps(settings, views, settings.maps.kernel);
+  if (name == "raycast") return make_ray_casters(settings, views);
+  return fail(
+      fmt::format("technique={} is unknown, expected one of voxel-offset, voxel-topology, slb, slb+voxel, "
+                  "plain-map, pcf, raycast",
+                  name));
 }
 
 }  // namespace
 
 Result<Techniques> make_techniques(const std::string& name, const RunSettings& settings,
                                    std::span<const TechniqueInput> views) {
+  if (settings.frame_buffer && is_software(name))
+    return fail(fmt::format("frame_buffer=on keeps states in the hardware, and technique={} has none", name));
   Result<Techniques> all = make_plain(name, settings, views);
   return all && settings.frame_buffer ? keep_states(std::move(*all), views) : std::move(all);
 }

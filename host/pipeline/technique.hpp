@@ -14,6 +14,7 @@
 #include "host/base/light_plane.hpp"
 #include "host/base/receiver.hpp"
 #include "host/base/result.hpp"
+#include "host/metrics/exact_reference.hpp"
 #include "host/pipeline/engines.hpp"
 #include "host/pipeline/run.hpp"
 #include "host/pipeline/scene_quads.hpp"
@@ -34,6 +35,9 @@ struct TechniqueInput {
   const plan::LightView& view;
   const plan::ViewVoxels& seen;
   std::size_t light = 0;  ///< number of the light that the view belongs to
+  bool first = true;      ///< of its light's views
+  /// The light's exact shadows, which are there once the scene has been looked at; null: not to be had.
+  const std::optional<metrics::ExactReference>* exact = nullptr;
 };
 
 /// What came out, in the order of what went in.
@@ -64,6 +68,12 @@ class Technique {
   virtual Result<std::vector<std::uint8_t>> answers(std::span<const golden::Word> results,
                                                     std::span<const Receiver> points,
                                                     std::span<const golden::Word> run) const;
+  /// True for what no hardware runs: write() gives no commands, no engine is made, and what decode() gives is
+  /// found by solve(), which is called in between.
+  virtual bool is_software() const { return false; }
+  virtual void solve() {}
+  /// Of a software technique: what its model counts (docs/techniques.md, "Costs"), once solved.
+  virtual std::vector<report::PassCycles> cycles() const { return {}; }
   /// The method in double precision at the receivers; nothing where there is no such thing.
   virtual std::optional<std::vector<golden::VoxelState>> in_double() const = 0;
   /// Voxels per entry or pixel of the plane in which displacements are measured.

@@ -35,7 +35,7 @@ std::map<std::string, std::uint64_t> counted(const golden::Counters& before, con
 
 /// Where the hardware keeps what frames ask for, its engines outlive the run.
 bool TechniqueJob::frames_ask() const {
-  return request_.frames > 0 && (answers_points() || hardware_.en_frame_buffer);
+  return request_.frames > 0 && !is_software() && (answers_points() || hardware_.en_frame_buffer);
 }
 
 Result<std::vector<golden::Word>> TechniqueJob::ask(std::span<const golden::Word> words) {
@@ -72,7 +72,7 @@ Result<render::Picture> TechniqueJob::picture_of_points(const render::Camera& ca
   golden::StreamWriter writer(hardware_);
   technique.ask(writer, visible.points);
   writer.fence(0, true);
-  const auto results = ask(writer.words());
+  const auto results = is_software() ? Result<std::vector<golden::Word>>() : ask(writer.words());
   if (!results) return fail(results.error().message);
   const auto shadowed = technique.answers(*results, visible.points, parts_.front());
   if (!shadowed) return fail(shadowed.error().message);

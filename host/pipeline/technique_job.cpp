@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host/pipeline/light_answers.hpp"
+#include "host/pipeline/records.hpp"
 #include "host/report/metrics_json.hpp"
 #include "host/report/numbers.hpp"
 
@@ -19,8 +20,8 @@ Result<void> TechniqueJob::plan() {
     for (std::size_t l = 0; l < scene_.lights.size(); ++l) {
       const SceneLight& light = scene_.lights[l];
       for (std::size_t v = 0; v < light.views.size(); ++v) {
-        inputs.push_back(
-            {scene_.surfaces, scene_.roles, scene_.voxels, *scene_.quads, light.views[v], light.seen[v], l});
+        inputs.push_back({scene_.surfaces, scene_.roles, scene_.voxels, *scene_.quads, light.views[v],
+                          light.seen[v], l, v == 0, &light.exact});
         views_.push_back({l, v, nullptr});
       }
     }
@@ -62,7 +63,7 @@ Result<void> TechniqueJob::write_stream() {
       const std::vector<Receiver> points = answers_points() ? points_of(view.light) : std::vector<Receiver>();
       if (auto done = view.technique->write(writer, hardware_, points); !done)
         return fail(done.error().message);
-      writer.fence(tag, true);
+      if (!is_software()) writer.fence(tag, true);
       ends_.push_back(writer.words().size());
     }
     stream_ = writer.take();
@@ -107,27 +108,46 @@ Result<void> TechniqueJob::run_rtl() {
 }
 
 Result<void> TechniqueJob::decode() {
-  auto parts = results_of_views(golden_.results, views_.size());
-  if (!parts) return fail(parts.error().message);
-  parts_ = std::move(*parts);
+  if (!is_software()) {
+    auto parts = results_of_views(golden_.results, views_.size());
+    if (!parts) return fail(parts.error().message);
+    parts_ = std::move(*parts);
+  }
   std::vector<std::vector<std::vector<golden::VoxelState>>> by_view(scene_.lights.size());
   points_.resize(scene_.lights.size());
   for (std::size_t i = 0; i < views_.size(); ++i) {
     auto answers = views_[i].technique->decode(parts_[i]);
     if (!answers) return fail(answers.error().message);
     by_view[views_[i].light].push_back(std::move(answers->voxels));
-    points_[views_[i].light] = std::move(answers->points);
+    if (!answers->points.empty()) points_[views_[i].light] = std::move(answers->points);
   }
   for (std::size_t l = 0; l < scene_.lights.size(); ++l)
     states_.push_back(light_states(scene_, scene_.lights[l], by_view[l]));
   return {};
 }
 
+/// No engine: each view's answers are worked out here.
+void TechniqueJob::run_software() {
+  compare_.software = true;
+  golden_.parts.resize(views_.size());
+  parts_.resize(views_.size());
+  stages_.run(report::kSoftwareStage, [&] {
+    for (const View& view : views_) view.technique->solve();
+  });
+  for (const View& view : views_) add_cycles(cycles_, view.technique->cycles());
+}
+
+Result<void> TechniqueJob::run_engines() {
+  run_golden();
+  return request_.engine == EngineKind::Rtl ? run_rtl() : Result<void>();
+}
+
 Result<void> TechniqueJob::run() {
   if (auto done = write_stream(); !done) return done;
-  run_golden();
-  if (request_.engine == EngineKind::Rtl) {
-    if (auto done = run_rtl(); !done) return done;
+  if (is_software()) {
+    run_software();
+  } else if (auto done = run_engines(); !done) {
+    return done;
   }
   if (auto done = stages_.run("decode", [&] { return decode(); }); !done) return done;
   measure_errors();

@@ -56,6 +56,9 @@ class TechniqueJob {
 
   std::vector<Receiver> points_of(std::size_t light) const;
   Result<void> write_stream();
+  bool is_software() const { return views_.front().technique->is_software(); }
+  void run_software();
+  Result<void> run_engines();
   void run_golden();
   Result<std::unique_ptr<sim::RtlEngine>> make_rtl(const sim::RtlOptions& options) const;
   Result<void> run_rtl();

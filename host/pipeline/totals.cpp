@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "host/pipeline/records.hpp"
+#include "host/report/metrics_parts.hpp"
+#include "host/slb/costs.hpp"
 
 namespace gnomon::pipeline {
 namespace {
@@ -68,6 +70,21 @@ void add(report::SlbRecord& sum, const report::SlbRecord& more) {
   sum.views += more.views;
 }
 
+/// Memory serves one view after the other.
+void add(report::SoftwareRecord& sum, const report::SoftwareRecord& more) {
+  sum.side = std::max(sum.side, more.side);
+  sum.pitch += more.pitch;
+  sum.memory_bits = std::max(sum.memory_bits, more.memory_bits);
+  sum.queries += more.queries;
+  sum.drawn += more.drawn;
+  sum.bytes_read += more.bytes_read;
+  sum.bytes_written += more.bytes_written;
+  sum.triangles = std::max(sum.triangles, more.triangles);
+  sum.build_seconds += more.build_seconds;
+  sum.seconds += more.seconds;
+  sum.views += more.views;
+}
+
 template <class Part>
 void add(std::optional<Part>& sum, const std::optional<Part>& more) {
   if (!more) return;
@@ -97,6 +114,7 @@ void add_views(report::RunRecord& record) {
       add(record.plane, view.plane);
       add(record.topology, view.topology);
       add(record.slb, view.slb);
+      add(record.software, view.software);
     }
   }
   const auto side = static_cast<std::uint32_t>(record.hardware.plane_side());
@@ -110,6 +128,7 @@ void add_views(report::RunRecord& record) {
     add_memory(*record.topology, record.hardware);
   }
   if (record.slb) record.slb->pitch /= record.slb->views;
+  if (record.software) record.software->pitch /= record.software->views;
 }
 
 }  // namespace
@@ -128,6 +147,28 @@ void add_totals(report::RunRecord& record) {
     record.voxels_in_shadow += light.in_shadow;
   }
   record.errors.pitch /= static_cast<double>(record.lights.size());
+}
+
+void add_cycles(std::vector<report::PassCycles>& sum, const std::vector<report::PassCycles>& more) {
+  for (const report::PassCycles& pass : more) {
+    auto at = std::ranges::find(sum, pass.pass, &report::PassCycles::pass);
+    if (at == sum.end()) at = sum.insert(at, report::PassCycles{pass.pass, {}});
+    for (const auto& [cause, cycles] : pass.causes) at->causes[cause] += cycles;
+  }
+}
+
+std::uint64_t hardware_memory_bits(const golden::HardwareConfig& hardware) {
+  std::uint64_t bits = 0;
+  const auto side = static_cast<std::uint64_t>(hardware.plane_side());
+  if (hardware.en_vpu_offset) bits += side * side * report::kPlaneEntryBits;
+  if (hardware.en_vpu_topology) {
+    report::TopologyRecord lists;
+    lists.side = static_cast<std::uint32_t>(side);
+    add_memory(lists, hardware);
+    bits += report::topology_bits(lists);
+  }
+  if (hardware.en_slb) bits += slb::buffer_costs(hardware, {}).memory_bits;
+  return bits;
 }
 
 }  // namespace gnomon::pipeline

@@ -136,6 +136,7 @@ Json memory_json(const RunRecord& record) {
   const std::uint64_t lists = record.topology ? topology_bits(*record.topology) : 0;
   const std::uint64_t scratch = pixels * slb.pixel_scratch_bits + slb.side * slb.row_bits;
   const std::uint64_t frame = frame_buffer_bits(record.hardware);
+  const std::uint64_t software = record.software ? record.software->memory_bits : 0;
   return {{"plane_entries", entries},
           {"plane_entry_bits", kPlaneEntryBits},
           {"plane_bits", entries * kPlaneEntryBits},
@@ -144,7 +145,9 @@ Json memory_json(const RunRecord& record) {
           {"slb_plane_bits", pixels * slb.entry_bits},
           {"slb_scratch_bits", scratch},
           {"topology_bits", lists},
-          {"hardware_bits", lists + entries * kPlaneEntryBits + pixels * slb.entry_bits + scratch + frame},
+          {"software_bits", software},
+          {"hardware_bits",
+           lists + entries * kPlaneEntryBits + pixels * slb.entry_bits + scratch + frame + software},
           {"frame_buffer_bits", frame},
           {"command_stream_bits", 64 * record.command_words},
           {"result_stream_bits", 64 * record.result_words}};
@@ -265,6 +268,7 @@ Json frames_json(const std::optional<FramesRecord>& frames) {
 }  // namespace
 
 std::string verdict(const CompareRecord& compare) {
+  if (compare.software) return "nothing to compare: a technique in software";
   if (!compare.compared) return "nothing compared: the golden engine ran alone";
   std::string text =
       with_commas(compare.words) + " words compared, " + with_commas(compare.differing) + " differ";
@@ -305,6 +309,7 @@ Json metrics_json(const RunRecord& record) {
           {"plane", plane_json(record.plane, record.events)},
           {"topology", topology_json(record.topology, record.events)},
           {"slb", slb_json(record.slb, record.events)},
+          {"software", software_json(record.software)},
           {"voxels", voxels_json(record)},
           {"events", record.events},
           {"stages", stages_json(record)}};
@@ -318,7 +323,7 @@ Json metrics_json(std::span<const RunRecord> records) {
     Json row = Json::object();
     for (const char* key :
          {"technique", "hardware", "registers", "lights", "compare", "errors", "picture", "frames", "cycles",
-          "run_time", "memory", "plane", "topology", "slb", "voxels", "events", "stages"})
+          "run_time", "memory", "plane", "topology", "slb", "software", "voxels", "events", "stages"})
       row[key] = one.at(key);
     all["techniques"].push_back(std::move(row));
   }

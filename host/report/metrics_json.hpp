@@ -17,6 +17,7 @@ inline constexpr int kMetricsSchema = 1;
 /// Stages whose time stands for a figure elsewhere in the report.
 inline constexpr std::string_view kGoldenStage = "golden engine";
 inline constexpr std::string_view kRtlStage = "rtl engine";
+inline constexpr std::string_view kSoftwareStage = "software technique";
 inline constexpr std::string_view kDoubleStage = "double reference";
 inline constexpr std::string_view kExactStage = "exact reference";
 inline constexpr std::string_view kShadowMapStage = "shadow maps";

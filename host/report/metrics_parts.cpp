@@ -93,4 +93,21 @@ Json slb_json(const std::optional<SlbRecord>& slb, const Events& events) {
           {"queries_overflow_share", ratio(overflowed, event(events, "SLB_QUERIES"))}};
 }
 
+Json software_json(const std::optional<SoftwareRecord>& software) {
+  if (!software) return nullptr;
+  const SoftwareRecord& s = *software;
+  return {{"side", s.side},
+          {"pitch", s.pitch},
+          {"texel_bits", s.texel_bits},
+          {"kernel", s.kernel},
+          {"memory_bits", s.memory_bits},
+          {"queries", s.queries},
+          {"drawn", s.drawn},
+          {"bytes_read", s.bytes_read},
+          {"bytes_written", s.bytes_written},
+          {"triangles", s.triangles},
+          {"build_seconds", s.build_seconds},
+          {"seconds", s.seconds}};
+}
+
 }  // namespace gnomon::report

@@ -26,6 +26,7 @@ std::uint64_t event(const Events& events, const std::string& name);
 Json plane_json(const std::optional<PlaneRecord>& plane, const Events& events);
 Json topology_json(const std::optional<TopologyRecord>& topology, const Events& events);
 Json slb_json(const std::optional<SlbRecord>& slb, const Events& events);
+Json software_json(const std::optional<SoftwareRecord>& software);
 std::uint64_t topology_bits(const TopologyRecord& record);
 /// The bits that docs/frame-buffer.md, "Memory", gives; 0 without one.
 std::uint64_t frame_buffer_bits(const golden::HardwareConfig& hardware);

@@ -68,6 +68,10 @@ void add_rates(const Json& m, Json& tiles) {
 std::string memory_note(const Json& m) {
   const Json& memory = m.at("memory");
   std::string note;
+  if (const Json& s = m.at("software"); !s.is_null())
+    return s.at("side") == 0
+               ? count(s.at("triangles")) + " triangles and their hierarchy"
+               : fmt::format("{}² texels × {} bit", s.at("side").dump(), s.at("texel_bits").dump());
   if (!m.at("plane").is_null())
     note = fmt::format("{} entries × {} bit", count(memory.at("plane_entries")),
                        memory.at("plane_entry_bits").dump());
@@ -136,8 +140,9 @@ Json joint_verdict(const Json& m) {
 
 Json summary_section(const Json& m) {
   Json view = joint_verdict(m);
-  view["shadow_source"] =
-      m.at("slb").is_null() ? "the voxel states" : "the silhouette-line buffer, asked at every sample";
+  view["shadow_source"] = !m.at("software").is_null() ? "the technique in software, asked at every sample"
+                          : m.at("slb").is_null()     ? "the voxel states"
+                                                      : "the silhouette-line buffer, asked at every sample";
   view["title"] = m.at("scene").at("name");
   view["source"] = m.at("scene").at("source");
   view["started"] = m.at("started");

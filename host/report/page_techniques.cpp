@@ -63,6 +63,7 @@ void add_errors(const Json& techniques, Json& rows) {
   const auto add = [&](const char* name, const Cell& cell) { rows.push_back(line(techniques, name, cell)); };
   add("words compared, differing", [](const Json& t) {
     const Json& compare = t.at("compare");
+    if (!t.at("software").is_null()) return std::string("software");
     return compare.at("compared").get<bool>()
                ? count(compare.at("words")) + ", " + count(compare.at("differing"))
                : std::string("golden alone");
@@ -96,6 +97,12 @@ void add_work(const Json& techniques, Json& rows) {
                number(t.at("quads_tested_per_uncertain"), 2);
       }));
   add("walks that a hit ended early", within("topology", [](const Json& t) { return count(t.at("hits")); }));
+  add("texels; read a query", within("software", [](const Json& s) {
+        const auto kernel = s.at("kernel").get<std::uint64_t>();
+        return kernel == 0 ? std::string(kNone)
+                           : fmt::format("{}²; {}", s.at("side").dump(), kernel * kernel);
+      }));
+  add("points asked in software", within("software", [](const Json& s) { return count(s.at("queries")); }));
   add("queries", within("slb", [](const Json& s) { return count(s.at("queries")); }));
 }
 
@@ -126,7 +133,15 @@ void add_costs(const Json& techniques, Json& rows) {
   add("memory: lists (heads, nodes, quads)", memory("topology_bits"));
   add("memory: silhouette-line buffer", memory("slb_plane_bits"));
   add("memory: frame buffer", memory("frame_buffer_bits"));
+  add("memory: map, or rays' triangles and hierarchy", memory("software_bits"));
   add("memory, all", memory("hardware_bits"));
+  add("memory traffic, bytes read + written", within("software", [](const Json& s) {
+        return s.at("bytes_written") == 0 ? std::string(kNone)
+                                          : count(s.at("bytes_read")) + " + " + count(s.at("bytes_written"));
+      }));
+  add("software: wall time to build, to answer", within("software", [](const Json& s) {
+        return seconds(s.at("build_seconds")) + ", " + seconds(s.at("seconds"));
+      }));
   add("command stream", memory("command_stream_bits"));
   add("result stream", memory("result_stream_bits"));
   add("host time", [](const Json& t) { return seconds(t.at("run_time").at("host_seconds")); });

@@ -59,6 +59,12 @@ std::string configuration_line(const Json& m) {
     line += " · silhouette-line buffer " + plane(m.at("slb"));
     list({"FRAC_BITS", "SLOPE_BITS", "FRAGS_PER_PIXEL"});
   }
+  const Json& software = m.at("software");
+  if (!software.is_null() && software.at("side") == 0) return line;
+  if (!software.is_null()) {
+    line += " · map " + plane(software);
+    line += fmt::format(" · {0} × {0} texels a point", software.at("kernel").dump());
+  }
   list({"DEPTH_BITS"});
   return line;
 }

@@ -42,8 +42,9 @@ struct CompareRecord {
   std::uint64_t differing = 0;  ///< of these
   /// Words that only one gave, event counters that differ, a hang or a failed assertion.
   std::uint64_t other_faults = 0;
-  std::string text;      ///< where it failed: several lines that name word, command, cycle and fields of both
-  nlohmann::json first;  ///< the first differing word (docs/report.md), null if there is none
+  std::string text;  ///< where it failed: several lines that name word, command, cycle and fields of both
+  bool software = false;  ///< a technique without hardware: there is nothing to compare
+  nlohmann::json first;   ///< the first differing word (docs/report.md), null if there is none
 
   /// A comparison that compared nothing has failed, too.
   bool failed() const { return compared && (words == 0 || differing != 0 || other_faults != 0); }
@@ -157,6 +158,21 @@ struct SlbRecord {
   std::uint32_t views = 1;
 };
 
+/// What a software technique took (docs/techniques.md); of several views together.
+struct SoftwareRecord {
+  std::uint32_t side = 0;        ///< texels of a map; 0 for ray casting, as the next two
+  std::uint64_t texel_bits = 0;  ///< as stored
+  std::uint32_t kernel = 0;      ///< texels read a query, on each axis
+  double pitch = 1;              ///< voxels a texel
+  std::uint64_t memory_bits = 0;
+  std::uint64_t queries = 0;  ///< points asked about: those that face the light
+  std::uint64_t drawn = 0;    ///< sheets by texels that they were drawn into
+  std::uint64_t bytes_read = 0, bytes_written = 0;
+  std::uint64_t triangles = 0;            ///< that rays are cast against
+  double build_seconds = 0, seconds = 0;  ///< wall time to make map or hierarchy; to answer
+  std::uint32_t views = 1;
+};
+
 /// A register as it was programmed.
 struct RegisterRecord {
   std::string name;
@@ -175,6 +191,7 @@ struct ViewRecord {
   std::optional<PlaneRecord> plane;  ///< as in RunRecord; `side` is what this view makes use of
   std::optional<TopologyRecord> topology;
   std::optional<SlbRecord> slb;
+  std::optional<SoftwareRecord> software;
 };
 
 /// One light: what came out for it alone.
@@ -222,6 +239,7 @@ struct RunRecord {
   std::optional<PlaneRecord> plane;  ///< of the projection unit, if the technique uses it
   std::optional<TopologyRecord> topology;
   std::optional<SlbRecord> slb;
+  std::optional<SoftwareRecord> software;
 
   // `plane`, `topology`, `slb`, `registers`, `errors` and `exact` are of all lights together, `registers` of
   // the first view.

@@ -19,7 +19,7 @@
 namespace gnomon::sweep {
 namespace {
 
-constexpr std::array<Figure, 9> kPlotted{{
+constexpr std::array<Figure, 10> kPlotted{{
     {"errors.fixed.boundary_displacement", "border displaced by, plane entries"},
     {"errors.fixed.border_voxels", "border displaced by, voxels"},
     {"errors.fixed.all.share", "mislabelled voxels, share"},
@@ -28,6 +28,7 @@ constexpr std::array<Figure, 9> kPlotted{{
     {"memory.hardware_bits", "memory, bits"},
     {"seconds.golden", "golden engine, wall seconds"},
     {"seconds.rtl", "rtl engine, wall seconds"},
+    {"seconds.software", "software technique, wall seconds"},
     {"seconds.host", "host, wall seconds"},
 }};
 

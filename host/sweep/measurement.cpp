@@ -11,14 +11,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The parts of metrics.json that hold figures; the others say what was run.
-constexpr std::array<std::string_view, 11> kParts{"errors", "quantisation", "cycles",   "run_time",
-                                                  "memory", "plane",        "topology", "slb",
-                                                  "voxels", "events",       "compare"};
+constexpr std::array<std::string_view, 12> kParts{"errors",   "quantisation", "cycles",   "run_time",
+                                                  "memory",   "plane",        "topology", "slb",
+                                                  "software", "voxels",       "events",   "compare"};
 
 /// Figures of the host and of the simulation, which no two runs have in common.
 bool measures_time(const std::string& name) {
   return name.starts_with("run_time.host") || name.starts_with("run_time.simulation") ||
-         name == "voxels.seconds" || name == "voxels.mvoxels_per_second";
+         name == "software.build_seconds" || name == "software.seconds" || name == "voxels.seconds" ||
+         name == "voxels.mvoxels_per_second";
 }
 
 void flatten(const Json& part, const std::string& name, std::map<std::string, double>& figures) {
@@ -37,6 +38,8 @@ void add_stages(const Json& stages, std::map<std::string, double>& figures) {
     const double seconds = stage.at("wall_seconds").get<double>();
     if (name == "golden engine") {
       figures["seconds.golden"] = seconds;
+    } else if (name == "software technique") {
+      figures["seconds.software"] = seconds;
     } else if (name == "rtl engine") {
       figures["seconds.rtl"] = seconds;
     } else if (name != "rtl model") {  // compiled once, for all who come after

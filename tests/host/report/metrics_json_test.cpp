@@ -116,7 +116,7 @@ TEST(Metrics, GoldenAloneHasNoCyclesAndNoVerdict) {
 }
 
 TEST(Metrics, AComparisonWithoutWordsHasFailed) {
-  CompareRecord compare{true, 0, 0, 0, "", nullptr};
+  CompareRecord compare{true, 0, 0, 0, "", false, nullptr};
   EXPECT_TRUE(compare.failed());
   EXPECT_THAT(verdict(compare), testing::HasSubstr("nothing is verified"));
   compare.words = 5;
@@ -124,7 +124,7 @@ TEST(Metrics, AComparisonWithoutWordsHasFailed) {
   EXPECT_EQ(verdict(compare), "5 words compared, 0 differ");
   compare.other_faults = 1;
   EXPECT_TRUE(compare.failed());
-  compare = {true, 5, 1, 0, "", nullptr};
+  compare = {true, 5, 1, 0, "", false, nullptr};
   EXPECT_TRUE(compare.failed());
 }
 

@@ -55,7 +55,7 @@ RunRecord sample_record() {
   r.command_words = 434030;
   r.plane = PlaneRecord{256, 31000, 1.0};
   r.errors.pitch = 1.0;
-  r.compare = {true, 217001, 0, 0, "", nullptr};
+  r.compare = {true, 217001, 0, 0, "", false, nullptr};
   r.events = {{"COMMANDS", 13},
               {"VOXELS_PROJECTED", 217000},
               {"PROJECT_OFF_PLANE", 0},
