@@ -4,6 +4,7 @@
 
 #include <array>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,14 @@ struct Tally {
 };
 
 inline std::string Tally::text() const {
-  std::string all = std::to_string(rounds) + " faults: " + std::to_string(completed) + " jobs completed, " +
-                    std::to_string(stopped) + " stopped (codes";
-  for (const unsigned code : codes) all += " " + std::to_string(code);
-  return all + "), " + std::to_string(resets_in_jobs) + " resets in jobs, " + std::to_string(late) +
-         " with late answers, " + std::to_string(late_timeouts) + " timeouts after a reset; " +
-         std::to_string(words) + " words compared; " + std::to_string(hangs) + " hangs, " +
-         std::to_string(wrong_words) + " wrong words, " + std::to_string(wrong_reports) + " wrong reports, " +
-         std::to_string(not_recovered) + " not recovered, " + std::to_string(assertions) + " assertions";
+  std::ostringstream all;
+  all << rounds << " faults: " << completed << " jobs completed, " << stopped << " stopped (codes";
+  for (const unsigned code : codes) all << " " << code;
+  all << "), " << resets_in_jobs << " resets in jobs, " << late << " with late answers, " << late_timeouts
+      << " timeouts after a reset; " << words << " words compared; " << hangs << " hangs, " << wrong_words
+      << " wrong words, " << wrong_reports << " wrong reports, " << not_recovered << " not recovered, "
+      << assertions << " assertions";
+  return all.str();
 }
 
 template <class Model>

@@ -49,7 +49,8 @@ class TopBench {
 
   explicit TopBench(std::uint32_t seed, const std::string& plusarg = {})
       : memory_(Rings{}.base, kMemoryBytes, kBeatBytes, seed ^ 0xBEEFu), random_(seed) {
-    const std::string argument = "+" + plusarg;
+    std::string argument = "+";
+    argument += plusarg;
     std::array<const char*, 2> arguments{"bench", argument.c_str()};
     context_.commandArgs(2, arguments.data());
     context_.fatalOnError(false);
