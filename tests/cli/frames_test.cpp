@@ -21,10 +21,10 @@ class RunWithFramesTest : public testing::Test {
  protected:
   RunWithFramesTest()
       : model_(directory_.write("cube.obj", test::cube_text())), results_(directory_.path() / "results") {}
-  Outcome run(const std::vector<std::string>& more) const {
+  Outcome run(const std::vector<std::string>& more, const std::string& engine = "golden") const {
     std::vector<std::string> arguments{"run",      model_.string(),  "--set", "res=32",
                                        "--set",    "image_width=80", "--set", "image_height=60",
-                                       "--engine", "golden",         "-o",    results_.string()};
+                                       "--engine", engine,           "-o",    results_.string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_gnomon(arguments);
   }
@@ -42,6 +42,44 @@ TEST_F(RunWithFramesTest, WritesFramesAndMeshesAndSaysHowToDoItAgain) {
   EXPECT_EQ(m.at("frames").at("shadow_work"), 0);
   EXPECT_THAT(m.at("command").at("line").get<std::string>(),
               HasSubstr("--frames 2 --mesh ply --mesh obj -o "));
+}
+
+/// A frame of a kept scene asks for states. What the passes count must be the same however many frames
+/// follow, on hardware in cycles, too.
+TEST_F(RunWithFramesTest, WithAFrameBufferFramesCostLookupsAndNoShadowWork) {
+  const auto figures = [&](const char* engine, const char* technique, const char* frames) {
+    const Outcome outcome =
+        run({"--set", std::string("technique=") + technique, "--set", "frame_buffer=on", "--set", "res=24",
+             "--set", "image_width=48", "--set", "image_height=36", "--frames", frames},
+            engine);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(std::ifstream(results_ / "metrics.json"));
+  };
+  int compared = 0;
+  for (const std::string engine : {"golden", "rtl"}) {
+    for (const char* technique : {"voxel-offset", "voxel-topology"}) {
+      SCOPED_TRACE(engine + ", " + technique);
+      const auto one = figures(engine.c_str(), technique, "1"),
+                 many = figures(engine.c_str(), technique, "5");
+      EXPECT_EQ(many.at("events"), one.at("events"));
+      EXPECT_EQ(many.at("frames").at("shadow_work"), 0) << many.at("frames").at("shadow_work_events");
+      const auto asked = [](const nlohmann::json& m) {
+        return m.at("frames").at("questions").at("FRAME_BRICKS").get<std::uint64_t>();
+      };
+      EXPECT_GT(asked(one), 10U);
+      EXPECT_GT(asked(many), 4 * asked(one));
+      ++compared;
+      if (engine == "golden") continue;
+      EXPECT_EQ(many.at("compare").at("differing"), 0);
+      EXPECT_EQ(many.at("compare").at("words").get<std::uint64_t>() -
+                    one.at("compare").at("words").get<std::uint64_t>(),
+                many.at("frames").at("result_words").get<std::uint64_t>() -
+                    one.at("frames").at("result_words").get<std::uint64_t>());
+      for (const char* pass : {"CLEAR", "PROJECT", "RESOLVE"})
+        EXPECT_EQ(many.at("cycles").at("by_pass").at(pass), one.at("cycles").at("by_pass").at(pass)) << pass;
+    }
+  }
+  EXPECT_EQ(compared, 4);
 }
 
 TEST_F(RunWithFramesTest, RefusesWhatItCannotDo) {
