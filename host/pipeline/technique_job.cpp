@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/golden/golden_engine.hpp>
+#include <gnomon/golden/cycles.hpp>
 #include <stdexcept>
 
 #include "host/pipeline/light_answers.hpp"
@@ -72,8 +72,8 @@ Result<void> TechniqueJob::write_stream() {
 }
 
 void TechniqueJob::run_golden() {
-  auto engine =
-      request_.make_golden ? request_.make_golden(hardware_) : golden::make_golden_engine(hardware_);
+  auto engine = request_.make_golden ? request_.make_golden(hardware_)
+                                     : golden::make_timed_golden_engine(hardware_, {});
   golden_ = stages_.run(report::kGoldenStage, [&] {
     return run_stream(*engine, stream_, ends_, stages_.progress_of(report::kGoldenStage));
   });

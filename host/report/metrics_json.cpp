@@ -215,6 +215,29 @@ Json cycles_json(const RunRecord& record) {
           {"topology", rates_of_lists}};
 }
 
+/// By the cycle model, and how far from what was measured.
+Json predicted_json(const RunRecord& record) {
+  if (record.predicted_cycles.empty()) return nullptr;
+  Json passes = Json::object();
+  std::uint64_t sum = 0;
+  for (const auto& [name, cycles] : record.predicted_cycles) {  // "cycles.<PASS>.<CAUSE>"
+    const std::size_t pass = name.find('.') + 1, cause = name.find('.', pass) + 1;
+    Json& row = passes[name.substr(pass, cause - pass - 1)];
+    if (row.is_null()) row = {{"total", 0}, {"causes", Json::object()}};
+    row["total"] = row["total"].get<std::uint64_t>() + cycles;
+    row["causes"][name.substr(cause)] = cycles;
+    sum += cycles;
+  }
+  Json off = nullptr;
+  for (const PassCycles& pass : record.cycles) {
+    if (pass.pass == "IDLE" || !passes.contains(pass.pass)) continue;
+    const auto predicted = passes[pass.pass]["total"].get<std::uint64_t>(), measured = total(pass);
+    const std::uint64_t distance = predicted > measured ? predicted - measured : measured - predicted;
+    off = (off.is_null() ? 0 : off.get<std::uint64_t>()) + distance;
+  }
+  return {{"total", sum}, {"by_pass", passes}, {"off", off}};
+}
+
 Json run_time_json(const RunRecord& record, const Json& cycles) {
   Json time = {{"clock_mhz", record.clock_mhz},
                {"cycles", nullptr},
@@ -304,6 +327,7 @@ Json metrics_json(const RunRecord& record) {
           {"picture", picture_json(record.picture)},
           {"frames", frames_json(record.frames)},
           {"cycles", cycles},
+          {"cycles_predicted", predicted_json(record)},
           {"run_time", run_time_json(record, cycles)},
           {"memory", memory_json(record)},
           {"plane", plane_json(record.plane, record.events)},
@@ -321,9 +345,9 @@ Json metrics_json(std::span<const RunRecord> records) {
   for (const RunRecord& record : records) {
     const Json one = metrics_json(record);
     Json row = Json::object();
-    for (const char* key :
-         {"technique", "hardware", "registers", "lights", "compare", "errors", "picture", "frames", "cycles",
-          "run_time", "memory", "plane", "topology", "slb", "software", "voxels", "events", "stages"})
+    for (const char* key : {"technique", "hardware", "registers", "lights", "compare", "errors", "picture",
+                            "frames", "cycles", "cycles_predicted", "run_time", "memory", "plane", "topology",
+                            "slb", "software", "voxels", "events", "stages"})
       row[key] = one.at(key);
     all["techniques"].push_back(std::move(row));
   }

@@ -246,6 +246,8 @@ struct RunRecord {
   CompareRecord compare;
   std::map<std::string, std::uint64_t> events;  ///< event counters of docs/command-stream.md
   std::vector<PassCycles> cycles;               ///< empty where the engine has no cycles
+  /// By the cycle model (docs/cycle-model.md), "cycles.<PASS>.<CAUSE>"; empty without a command stream.
+  std::map<std::string, std::uint64_t> predicted_cycles;
   ErrorsRecord errors;
   ExactRecord exact;
   PictureRecord picture;

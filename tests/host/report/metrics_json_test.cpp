@@ -150,6 +150,22 @@ TEST(Metrics, AMovingCameraIsToldByTheFrameAndItsShadowWorkByTheEvent) {
   EXPECT_TRUE(metrics_json(record)["frames"].is_null());
 }
 
+TEST(Metrics, PredictedCyclesStandBesideTheMeasuredOnes) {
+  RunRecord record = sample_record();
+  record.predicted_cycles.clear();
+  EXPECT_TRUE(metrics_json(record)["cycles_predicted"].is_null());
+  record.predicted_cycles = {
+      {"cycles.IDLE.IDLE", 0}, {"cycles.PROJECT.BUSY", 10}, {"cycles.PROJECT.HAZARD", 5}};
+  record.cycles = {{"IDLE", {{"IDLE", 9}}}, {"PROJECT", {{"BUSY", 10}, {"HAZARD", 2}}}};
+  const auto json = metrics_json(record)["cycles_predicted"];
+  EXPECT_EQ(json["total"], 15);
+  EXPECT_EQ(json["by_pass"]["PROJECT"]["total"], 15);
+  EXPECT_EQ(json["by_pass"]["PROJECT"]["causes"]["HAZARD"], 5);
+  EXPECT_EQ(json["off"], 3);
+  record.cycles.clear();
+  EXPECT_TRUE(metrics_json(record)["cycles_predicted"]["off"].is_null());
+}
+
 /// Adds the names of all keys below `json`; free-form tables are named, not entered.
 void collect(const ordered_json& json, std::set<std::string>& keys) {
   static const std::set<std::string> kFreeForm{"parameters",       "registers", "versions",
