@@ -27,6 +27,8 @@ cache/cache_data.sv
 cache/cache_answers.sv
 cache/line_cache.sv
 cache/plane_cache.sv
+cache/memory_cache.sv
+cache/topology_caches.sv
 vpu/vpu_registers.sv
 vpu/vpu_perspective_registers.sv
 vpu/vpu_unpack.sv

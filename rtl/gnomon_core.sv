@@ -119,12 +119,19 @@ module gnomon_core #(
   localparam int unsigned WANT     = $bits(cache_pkg::want_t);
   localparam int unsigned GIVE     = $bits(cache_pkg::give_t);
   localparam int unsigned SLB_LINE = cache_pkg::region_lines(2 * PLANE_LOG2 - 4);
+  localparam int unsigned FRAGMENT_BITS =
+    slb_pkg::stored_fragment_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS);
+  localparam int unsigned LISTS_LINE =
+    SLB_LINE + (EN_SLB ? cache_pkg::slb_region_lines(SLB_PLANE_LOG2, FRAGMENT_BITS) : 0);
   logic [WANT-1:0]                  plane_want;
   logic [GIVE-1:0]                  plane_give;
   logic [cache_pkg::EVENTS-1:0]     plane_events;
   logic [2*WANT-1:0]                slb_want;
   logic [2*GIVE-1:0]                slb_give;
   logic [2*cache_pkg::EVENTS-1:0]   slb_cache_events;
+  logic [3*WANT-1:0]                lists_want;
+  logic [3*GIVE-1:0]                lists_give;
+  logic [3*cache_pkg::EVENTS-1:0]   lists_cache_events;
 
   // ---- Silhouette-line buffer ----
   logic                    slb_start, slb_item_valid, slb_item_ready, slb_close_valid, slb_close_ready;
@@ -237,7 +244,7 @@ module gnomon_core #(
     topology #(
       .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .SUB_BITS(SUB_BITS),
       .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(LATENCY),
-      .MEM_STALL_SEED(MEM_STALL_SEED)
+      .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .FIRST_LINE(LISTS_LINE)
     ) u_topology (
       .clk_i, .rst_ni, .start_i(topology_start), .header_i(word), .kind_o(topology_kind),
       .two_sided_o(topology_two_sided), .sorted_o(topology_sorted), .clearance_o(topology_clearance),
@@ -250,7 +257,8 @@ module gnomon_core #(
       .idle_o(topology_idle), .step_o(topology_step), .wait_o(topology_wait), .clipped_o(topology_clipped),
       .quad_behind_o(perspective_events.quad_behind), .quad_straddling_o(perspective_events.quad_straddling),
       .behind_o(perspective_events.topology_behind), .outside_cone_o(perspective_events.topology_outside_cone),
-      .events_o(topology_events)
+      .events_o(topology_events), .cache_want_o(lists_want), .cache_give_i(lists_give),
+      .cache_events_o(lists_cache_events)
     );
   end else begin : gen_no_topology
     assign topology_kind                            = gnomon_pkg::ITEM_CORNER;
@@ -269,8 +277,10 @@ module gnomon_core #(
     assign perspective_events.topology_behind       = 1'b0;
     assign perspective_events.topology_outside_cone = 1'b0;
     assign topology_events                          = '0;
+    assign lists_want                               = '0;
+    assign lists_cache_events                       = '0;
     logic unused_topology;
-    assign unused_topology = ^{topology_start, front_idle, moved_sorted, moved_clearance};
+    assign unused_topology = ^{lists_give, topology_start, front_idle, moved_sorted, moved_clearance};
   end
 
   // ---- States: to the frame buffer, to the results, or both ----
@@ -280,8 +290,8 @@ module gnomon_core #(
     // No pass holds more: stages and reads of the offset mode; in topology mode the order queue besides, of 2^(W + 2) for
     // 2^W walks.
     localparam int unsigned AHEAD      = (CACHE_LOG2 == 0) ? 0 : 1 << cache_pkg::QUEUE_LOG2;  // requests in a cache
-    localparam int unsigned QUEUE_LOG2 =
-      EN_VPU_TOPOLOGY ? $clog2(2 * LATENCY + 48 + AHEAD / 4) + 3 : $clog2(LATENCY + 60 + AHEAD);
+    localparam int unsigned WALKS_LOG2 = (CACHE_LOG2 == 0) ? $clog2(2 * LATENCY + 48) : 8;
+    localparam int unsigned QUEUE_LOG2 = EN_VPU_TOPOLOGY ? WALKS_LOG2 + 3 : $clog2(LATENCY + 60 + AHEAD);
     logic voxel_taken;
     assign voxel_taken = (item_valid && item_ready && item_resolve) ||
                          (topology_item_valid && topology_item_ready && topology_kind == gnomon_pkg::ITEM_BEAM);
@@ -464,6 +474,7 @@ module gnomon_core #(
   if (CACHE_LOG2 == 0) begin : gen_no_line_port
     assign plane_give           = '0;
     assign slb_give             = '0;
+    assign lists_give           = '0;
     assign line_read_valid_o    = 1'b0;
     assign line_read_address_o  = '0;
     assign line_read_id_o       = '0;
@@ -475,22 +486,30 @@ module gnomon_core #(
     assign line_write_strobe_o  = '0;
     logic unused_line;
     assign unused_line = ^{
-      plane_want, slb_want, plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i,
+      plane_want, slb_want, lists_want, plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i,
       line_write_ready_i, line_written_valid_i, line_written_id_i
     };
   end else begin : gen_line_port
-    localparam int unsigned CLIENTS = EN_SLB ? 3 : 1;
+    localparam int unsigned CLIENTS = 1 + (EN_SLB ? 2 : 0) + (EN_VPU_TOPOLOGY ? 3 : 0);
     logic [CLIENTS*WANT-1:0] want;
     logic [CLIENTS*GIVE-1:0] give;
-    if (EN_SLB) begin : gen_both
-      assign want                   = {slb_want, plane_want};
-      assign {slb_give, plane_give} = give;
-    end else begin : gen_plane_alone
+    assign want[0+:WANT] = plane_want;
+    assign plane_give    = give[0+:GIVE];
+    if (EN_SLB) begin : gen_slb_port
+      assign want[WANT+:2*WANT] = slb_want;
+      assign slb_give           = give[GIVE+:2*GIVE];
+    end else begin : gen_no_slb_port
       logic unused_want;
       assign unused_want = ^slb_want;
-      assign want        = plane_want;
-      assign plane_give  = give;
       assign slb_give    = '0;
+    end
+    if (EN_VPU_TOPOLOGY) begin : gen_lists_port
+      assign want[(CLIENTS-3)*WANT+:3*WANT] = lists_want;
+      assign lists_give                     = give[(CLIENTS-3)*GIVE+:3*GIVE];
+    end else begin : gen_no_lists_port
+      logic unused_want;
+      assign unused_want = ^lists_want;
+      assign lists_give  = '0;
     end
     cache_port #(.CLIENTS(CLIENTS)) u_port (
       .clk_i, .rst_ni, .base_i(plane_base_i), .want_i(want), .give_o(give), .line_read_valid_o, .line_read_ready_i,
@@ -512,9 +531,10 @@ module gnomon_core #(
 
   // ---- Counters ----
   localparam bit                                    CACHED = CACHE_LOG2 != 0;
-  localparam logic [cache_pkg::MEMORIES-1:0]        CACHES = {3'd0, {2{CACHED && EN_SLB}}, CACHED};
+  localparam logic [cache_pkg::MEMORIES-1:0]        CACHES =
+    {{3{CACHED && EN_VPU_TOPOLOGY}}, {2{CACHED && EN_SLB}}, CACHED};
   logic [cache_pkg::MEMORIES*cache_pkg::EVENTS-1:0] cache_events;
-  assign cache_events = (cache_pkg::MEMORIES * cache_pkg::EVENTS)'({slb_cache_events, plane_events});
+  assign cache_events = {lists_cache_events, slb_cache_events, plane_events};
   logic vpu_given;
   assign vpu_given                    = vpu_valid && state_ready;
   assign events.project_off_plane     = off_plane;

@@ -61,9 +61,20 @@ package cache_pkg;
     region_lines = (lines < 6) ? 64 : 1 << lines;
   endfunction
 
+  // Places a line for entries of so many bits, as a logarithm; none is smaller than two banks.
+  function automatic int unsigned places_log2(int unsigned bits);
+    places_log2 = (bits <= 64) ? 3 : 9 - $clog2(bits);
+  endfunction
+
   // Entries of the silhouette-line buffer whose fragments, of so many bits each, share a line.
   function automatic int unsigned slb_entries_a_line(int unsigned bits);
     slb_entries_a_line = LINE >> $clog2(bits);
+  endfunction
+
+  // Lines of its lanes and fragments together: lanes in lines of 16, or of 8 in a plane of 8 columns.
+  function automatic int unsigned slb_region_lines(int unsigned plane_log2, int unsigned bits);
+    slb_region_lines = region_lines(2 * plane_log2 - ((plane_log2 < 4) ? plane_log2 : 4)) +
+                       region_lines(2 * plane_log2 - $clog2(slb_entries_a_line(bits)));
   endfunction
 
   // Sets of a cache of 2^size bytes with two ways over 2^lines lines: never as many as lines.

@@ -45,6 +45,10 @@ package slb_pkg;
     fill_item_bits = 2 + (1 << span_bits) + line_index_bits;
   endfunction
 
+  // Of an entry, what lies beside its full depth and flags, and its fragments' answers at the centre.
+  function automatic int unsigned stored_fragment_bits(int unsigned f, int unsigned s, int unsigned k, int unsigned d);
+    stored_fragment_bits = entry_bits(f, s, k, d) - d + k;
+  endfunction
   // 64-bit words of an entry in a dump: with the generation, rounded up to a power of two.
   function automatic int unsigned dump_words(int unsigned f, int unsigned s, int unsigned k, int unsigned d);
     dump_words = 1 << $clog2((gnomon_pkg::GENERATION_BITS + entry_bits(f, s, k, d) + 63) / 64);

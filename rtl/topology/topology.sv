@@ -14,6 +14,8 @@ module topology #(
   parameter int unsigned QUADS_LOG2       = 18,
   parameter int unsigned MEM_LATENCY      = 1,
   parameter int unsigned MEM_STALL_SEED   = 0,
+  parameter int unsigned CACHE_LOG2       = 0,  // not 0: lists in memory, behind caches (docs/cache.md)
+  parameter int unsigned FIRST_LINE       = 0,  // there
   // Derived; not to be overridden.
   parameter int unsigned PLACE     = gnomon_pkg::place_bits(PLANE_LOG2),
   parameter int unsigned CLEARANCE = gnomon_pkg::clearance_bits(EN_PERSPECTIVE, DEPTH_BITS)
@@ -59,7 +61,11 @@ module topology #(
   output logic                                       quad_straddling_o,
   output logic                                       behind_o,
   output logic                                       outside_cone_o,
-  output topology_pkg::topology_events_t             events_o
+  output topology_pkg::topology_events_t             events_o,
+  // Line port of the caches: heads, nodes, quad records, the heads lowest.
+  output logic [3*$bits(cache_pkg::want_t)-1:0]      cache_want_o,
+  input  logic [3*$bits(cache_pkg::give_t)-1:0]      cache_give_i,
+  output logic [3*cache_pkg::EVENTS-1:0]             cache_events_o
 );
 
   localparam int unsigned D          = DEPTH_BITS;
@@ -67,8 +73,8 @@ module topology #(
   localparam int unsigned HEAD       = topology_pkg::head_bits(D, NODES_LOG2);
   localparam int unsigned NODE       = topology_pkg::node_bits(D, NODES_LOG2, QUADS_LOG2);
   localparam int unsigned RECORD     = topology_pkg::record_bits(SUB_BITS, SPAN_LOG2);
-  // A walk's round takes 2 MEM_LATENCY + 8 cycles; the others wait until an older one is done.
-  localparam int unsigned WALKS_LOG2 = $clog2(2 * MEM_LATENCY + 48);
+  // A walk's round takes 2 MEM_LATENCY + 8 cycles, or twice a memory's latency; the others wait until an older one is done.
+  localparam int unsigned WALKS_LOG2 = (CACHE_LOG2 == 0) ? $clog2(2 * MEM_LATENCY + 48) : 8;
   localparam int unsigned HEAD_TAG   = topology_pkg::head_tag_bits(EN_PERSPECTIVE, D, PLANE_LOG2 + SUB_BITS);
   localparam int unsigned NODE_TAG   = 2 * topology_pkg::COUNT_BITS + WALKS_LOG2;
   localparam int unsigned RECORD_TAG = NODE_TAG + 1 + NODES_LOG2 + QUADS_LOG2;
@@ -180,36 +186,65 @@ module topology #(
 
   // ---- Memories ----
   logic scrubbing, heads_idle, nodes_idle, records_idle;
-  entry_memory #(
-    .INDEX_BITS(INDEX), .ENTRY_BITS(HEAD), .OPERAND_BITS(NODE), .TAG_BITS(HEAD_TAG), .READ_LATENCY(MEM_LATENCY),
-    .STALL_SEED(MEM_STALL_SEED)
-  ) u_heads (
-    .clk_i, .rst_ni, .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),
-    .update_operand_i(update_operand), .modify_valid_o(modify_valid), .modify_present_o(modify_present),
-    .modify_entry_o(modify_head), .modify_operand_o(modify_operand), .modify_entry_i(new_head),
-    .read_valid_i(read_valid), .read_ready_o(read_ready), .read_index_i(read_index),
-    .read_tag_i(reader_busy ? reader_tag : ask_tag), .entry_valid_o(head_valid), .entry_ready_i(head_ready),
-    .entry_present_o(head_present), .entry_o(head), .entry_tag_o(head_tag), .clear_i(clear_start),
-    .scrubbing_o(scrubbing), .idle_o(heads_idle)
-  );
-  topology_store #(
-    .INDEX_BITS(NODES_LOG2), .WORD_BITS(NODE), .TAG_BITS(NODE_TAG), .READ_LATENCY(MEM_LATENCY),
-    .STALL_SEED(MEM_STALL_SEED)
-  ) u_nodes (
-    .clk_i, .rst_ni, .write_valid_i(node_write), .write_ready_o(node_written), .write_index_i(put_node_index),
-    .write_word_i(put_node), .read_valid_i(node_ask), .read_ready_o(node_asked), .read_index_i(node_index),
-    .read_tag_i(node_ask_tag), .word_valid_o(node_valid), .word_ready_i(node_taken), .word_o(node),
-    .word_tag_o(node_tag), .idle_o(nodes_idle)
-  );
-  topology_store #(
-    .INDEX_BITS(QUADS_LOG2), .WORD_BITS(RECORD), .TAG_BITS(RECORD_TAG), .READ_LATENCY(MEM_LATENCY),
-    .STALL_SEED((MEM_STALL_SEED == 0) ? 0 : MEM_STALL_SEED ^ 32'h3D7A)
-  ) u_records (
-    .clk_i, .rst_ni, .write_valid_i(record_write), .write_ready_o(record_written), .write_index_i(put_record_index),
-    .write_word_i(put_record), .read_valid_i(record_ask), .read_ready_o(record_asked), .read_index_i(record_index),
-    .read_tag_i(record_ask_tag), .word_valid_o(record_valid), .word_ready_i(1'b1), .word_o(record),
-    .word_tag_o(record_tag), .idle_o(records_idle)
-  );
+  if (CACHE_LOG2 == 0) begin : gen_on_chip
+    entry_memory #(
+      .INDEX_BITS(INDEX), .ENTRY_BITS(HEAD), .OPERAND_BITS(NODE), .TAG_BITS(HEAD_TAG), .READ_LATENCY(MEM_LATENCY),
+      .STALL_SEED(MEM_STALL_SEED)
+    ) u_heads (
+      .clk_i, .rst_ni, .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),
+      .update_operand_i(update_operand), .modify_valid_o(modify_valid), .modify_present_o(modify_present),
+      .modify_entry_o(modify_head), .modify_operand_o(modify_operand), .modify_entry_i(new_head),
+      .read_valid_i(read_valid), .read_ready_o(read_ready), .read_index_i(read_index),
+      .read_tag_i(reader_busy ? reader_tag : ask_tag), .entry_valid_o(head_valid), .entry_ready_i(head_ready),
+      .entry_present_o(head_present), .entry_o(head), .entry_tag_o(head_tag), .clear_i(clear_start),
+      .scrubbing_o(scrubbing), .idle_o(heads_idle)
+    );
+    topology_store #(
+      .INDEX_BITS(NODES_LOG2), .WORD_BITS(NODE), .TAG_BITS(NODE_TAG), .READ_LATENCY(MEM_LATENCY),
+      .STALL_SEED(MEM_STALL_SEED)
+    ) u_nodes (
+      .clk_i, .rst_ni, .write_valid_i(node_write), .write_ready_o(node_written), .write_index_i(put_node_index),
+      .write_word_i(put_node), .read_valid_i(node_ask), .read_ready_o(node_asked), .read_index_i(node_index),
+      .read_tag_i(node_ask_tag), .word_valid_o(node_valid), .word_ready_i(node_taken), .word_o(node),
+      .word_tag_o(node_tag), .idle_o(nodes_idle)
+    );
+    topology_store #(
+      .INDEX_BITS(QUADS_LOG2), .WORD_BITS(RECORD), .TAG_BITS(RECORD_TAG), .READ_LATENCY(MEM_LATENCY),
+      .STALL_SEED((MEM_STALL_SEED == 0) ? 0 : MEM_STALL_SEED ^ 32'h3D7A)
+    ) u_records (
+      .clk_i, .rst_ni, .write_valid_i(record_write), .write_ready_o(record_written), .write_index_i(put_record_index),
+      .write_word_i(put_record), .read_valid_i(record_ask), .read_ready_o(record_asked), .read_index_i(record_index),
+      .read_tag_i(record_ask_tag), .word_valid_o(record_valid), .word_ready_i(1'b1), .word_o(record),
+      .word_tag_o(record_tag), .idle_o(records_idle)
+    );
+    logic unused_give;
+    assign unused_give    = (^cache_give_i) ^ (FIRST_LINE == 0);
+    assign cache_want_o   = '0;
+    assign cache_events_o = '0;
+  end else begin : gen_cached
+    topology_caches #(
+      .INDEX_BITS(INDEX), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .HEAD(HEAD), .NODE(NODE),
+      .RECORD(RECORD), .HEAD_TAG(HEAD_TAG), .NODE_TAG(NODE_TAG), .RECORD_TAG(RECORD_TAG), .SIZE_LOG2(CACHE_LOG2),
+      .FIRST_LINE(FIRST_LINE), .STALL_SEED(MEM_STALL_SEED)
+    ) u_caches (
+      .clk_i, .rst_ni, .clear_i(clear_start), .clearing_o(scrubbing), .idle_o(heads_idle),
+      .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),
+      .update_operand_i(update_operand), .modify_valid_o(modify_valid), .modify_present_o(modify_present),
+      .modify_head_o(modify_head), .modify_operand_o(modify_operand), .modify_head_i(new_head),
+      .read_valid_i(read_valid), .read_ready_o(read_ready), .read_index_i(read_index),
+      .read_tag_i(reader_busy ? reader_tag : ask_tag), .head_valid_o(head_valid), .head_ready_i(head_ready),
+      .head_present_o(head_present), .head_o(head), .head_tag_o(head_tag), .node_write_i(node_write),
+      .node_written_o(node_written), .node_write_index_i(put_node_index), .node_i(put_node), .node_ask_i(node_ask),
+      .node_asked_o(node_asked), .node_index_i(node_index), .node_tag_i(node_ask_tag), .node_valid_o(node_valid),
+      .node_ready_i(node_taken), .node_o(node), .node_tag_o(node_tag), .record_write_i(record_write),
+      .record_written_o(record_written), .record_write_index_i(put_record_index), .record_i(put_record),
+      .record_ask_i(record_ask), .record_asked_o(record_asked), .record_index_i(record_index),
+      .record_tag_i(record_ask_tag), .record_valid_o(record_valid), .record_o(record), .record_tag_o(record_tag),
+      .want_o(cache_want_o), .give_i(cache_give_i), .events_o(cache_events_o)
+    );
+    assign nodes_idle   = 1'b1;
+    assign records_idle = 1'b1;
+  end
 
   // ---- Results, events, state ----
   logic state_given;

@@ -62,6 +62,11 @@ module topology_bench #(
     .outside_cone_o(outside_cone), .facing_away_o(facing_away), .u_moved_o(moved_u), .v_moved_o(moved_v),
     .depth_moved_o(moved_depth), .slopes_o(slopes), .item_delta_max_o(moved_delta_max)
   );
+  // Memories on chip here.
+  logic [3*$bits(cache_pkg::want_t)-1:0] cache_want;
+  logic [3*cache_pkg::EVENTS-1:0]        cache_events;
+  logic                                  unused_cache;
+  assign unused_cache = ^{cache_want, cache_events};
   topology #(
     .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .SUB_BITS(SUB_BITS),
     .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(MEM_LATENCY),
@@ -75,7 +80,8 @@ module topology_bench #(
     .facing_away_i(facing_away), .u_moved_i(moved_u), .v_moved_i(moved_v), .depth_moved_i(moved_depth),
     .result_valid_o, .result_ready_i, .result_o, .idle_o, .step_o, .wait_o, .clipped_o,
     .quad_behind_o(perspective_events_o[3]), .quad_straddling_o(perspective_events_o[2]),
-    .behind_o(perspective_events_o[1]), .outside_cone_o(perspective_events_o[0]), .events_o
+    .behind_o(perspective_events_o[1]), .outside_cone_o(perspective_events_o[0]), .events_o,
+    .cache_want_o(cache_want), .cache_give_i('0), .cache_events_o(cache_events)
   );
 
   logic unused_offset_mode;

@@ -100,7 +100,7 @@ TYPED_TEST_SUITE(CoreCache, Builds);
 
 TYPED_TEST(CoreCache, AnswersAsGolden) {
   const HardwareConfig config = config_of<TypeParam>();
-  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 6; ++seed) {
     this->compare("random", stimulus::random_stream(config, {.seed = seed, .commands = 150}), seed);
     this->compare("random objects", random_slb_stream(seed, config), seed);
     if (this->HasFatalFailure()) return;
@@ -114,8 +114,8 @@ TYPED_TEST(CoreCache, AnswersAsGolden) {
     this->compare(stream.name, stream.words, 2);
     if (this->HasFatalFailure()) return;
   }
-  EXPECT_GT(this->compared_, 20'000u);
-  EXPECT_GT(this->misses_, 1000u);
+  EXPECT_GT(this->compared_, 10'000u);
+  EXPECT_GT(this->misses_, 500u);
   if (config.plane_log2 == 6) {  // the other planes fit into their caches
     EXPECT_GT(this->fills_, 1000u);
     EXPECT_GT(this->write_backs_, 1000u);
