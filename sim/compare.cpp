@@ -30,13 +30,19 @@ class Comparison {
       report_.fault = error.what();
     } catch (const RtlFault& error) {
       report_.fault = error.what();
+    } catch (const CycleLimit& error) {
+      if (!options_.keep_partial) throw;
+      report_.partial = error.what();
+    } catch (const Aborted& error) {
+      if (!options_.keep_partial) throw;
+      report_.partial = error.what();
     }
     // A hang leaves the last results in the engine.
     rtl_.poll([&](auto words, auto cycles) { check(words, cycles); });
-    if (!stopped()) check_missing();
+    if (!stopped() && report_.partial.empty()) check_missing();
     report_.rtl_counters = rtl_.counters();
     report_.cycles = rtl_.cycle();
-    if (report_.fault.empty() && !stopped()) {
+    if (report_.fault.empty() && report_.partial.empty() && !stopped()) {
       if (options_.counters) compare_counters();
       if (options_.plane) compare_planes();
     }
@@ -137,7 +143,7 @@ class Comparison {
 }  // namespace
 
 bool CompareReport::consistent() const {
-  return words_differing == 0 && expected_words == actual_words && counters.empty() &&
+  return words_differing == 0 && (expected_words == actual_words || !partial.empty()) && counters.empty() &&
          plane_entries_differing == 0 && fault.empty() && !first;
 }
 

@@ -40,6 +40,7 @@ struct CompareOptions {
   bool stop_at_first = false;  ///< do not run the rest of the stream after a difference
   bool counters = true;        ///< compare the event counters when the stream is done
   bool plane = false;          ///< compare every plane entry when the stream is done
+  bool keep_partial = false;   ///< CycleLimit and Aborted end the comparison instead of being passed on
 };
 
 /// What was compared and what came of it.
@@ -53,6 +54,9 @@ struct CompareReport {
   std::optional<Difference> first;
   std::vector<CounterDifference> counters;
   std::uint64_t plane_entries_compared = 0, plane_entries_differing = 0;
+  /// Not empty: the comparison was ended before the stream was, and why; what was not reached is no
+  /// difference.
+  std::string partial;
   std::string fault;  ///< not empty: the hardware hung or an assertion failed, and the comparison ended there
   golden::Counters rtl_counters;
   std::uint64_t cycles = 0;  ///< of the hardware since reset
@@ -66,7 +70,7 @@ struct CompareReport {
 
 /// Both engines must be in reset state and have the same configuration (else std::invalid_argument). The
 /// reference leads; results of the hardware are checked while it runs. HangError and RtlFault end up in the
-/// report; everything else is passed on.
+/// report, so do CycleLimit and Aborted if they are to; everything else is passed on.
 CompareReport compare(golden::Engine& reference, RtlEngine& rtl, std::span<const Word> stream,
                       const CompareOptions& options = {}, std::uint32_t seed = 0);
 

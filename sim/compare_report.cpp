@@ -93,8 +93,9 @@ nlohmann::json config_json(const golden::HardwareConfig& config) {
 std::string to_text(const CompareReport& report) {
   std::string text;
   if (!report.fault.empty()) text += "the rtl engine stopped: " + report.fault + "\n";
+  if (!report.partial.empty()) text += "partial: " + report.partial + "\n";
   if (report.first) text += describe_difference(*report.first, report.config);
-  if (report.expected_words != report.actual_words) {
+  if (report.expected_words != report.actual_words && report.partial.empty()) {
     text += fmt::format("{} result words expected, {} given\n", report.expected_words, report.actual_words);
   }
   for (const CounterDifference& counter : report.counters) {
@@ -129,6 +130,7 @@ nlohmann::json to_json(const CompareReport& report) {
         {{"name", counter.name}, {"expected", counter.expected}, {"rtl", counter.actual}});
   }
   if (report.first) json["first_difference"] = difference_json(*report.first, report.config);
+  if (!report.partial.empty()) json["partial"] = report.partial;
   if (!report.fault.empty()) json["fault"] = report.fault;
   return json;
 }

@@ -64,8 +64,8 @@ inline constexpr std::uint32_t kFirstFrameCounter = 128;
 inline constexpr std::array<std::string_view, 5> kFrameEventNames{
     "FRAME_KEPT", "FRAME_OVERWRITTEN", "FRAME_LOOKUPS", "FRAME_LOOKUPS_EMPTY", "FRAME_BRICKS"};
 
-/// Counters of the caches (docs/cache.md), eight places for each memory; 0 in hardware without. Not events of the
-/// stream: other memories give others.
+/// Counters of the caches (docs/cache.md), eight places for each memory; 0 in hardware without. Not events of
+/// the stream: other memories give others.
 inline constexpr std::uint32_t kFirstCacheCounter = 136;
 inline constexpr std::array<std::string_view, 6> kCacheMemoryNames{"PLANE", "LANES", "FRAGMENTS",
                                                                    "HEADS", "NODES", "RECORDS"};

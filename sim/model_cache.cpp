@@ -119,13 +119,24 @@ Arguments verilator_command(const Toolchain& tools, const ModelSpec& spec, const
   return joined(std::move(command), verilator_arguments(spec));
 }
 
+/// What drives a model, and how it is reached.
+struct Driver {
+  std::string_view source, abi_source, abi_file, function;
+  int abi;
+};
+
+Driver driver_of(ModelTop top) {
+  if (top == ModelTop::Bus) return {kTopSource, kTopAbiSource, "top_abi.h", "gnomon_top_api", GNOMON_TOP_ABI};
+  return {kModelSource, kModelAbiSource, "model_abi.h", "gnomon_model_api", GNOMON_MODEL_ABI};
+}
+
 /// What stands beside Verilator's output: the driver, and one source that includes the fast and one the slow
 /// parts.
-void write_sources(const fs::path& work) {
-  write_file(work / "model.cpp", kModelSource);
-  write_file(work / "model_abi.h", kModelAbiSource);
+void write_sources(const Driver& driver, const fs::path& work) {
+  write_file(work / "model.cpp", driver.source);
+  write_file(work / driver.abi_file, driver.abi_source);
   write_file(work / "gnomon_model_print.h", kModelPrintSource);
-  write_file(work / "exports.map", "{ global: gnomon_model_api; local: *; };\n");
+  write_file(work / "exports.map", "{ global: " + std::string(driver.function) + "; local: *; };\n");
   std::set<fs::path> fast, slow;
   for (const fs::directory_entry& file : fs::directory_iterator(work)) {
     if (file.path().extension() != ".cpp") continue;
@@ -171,8 +182,9 @@ ModelCache::ModelCache(Toolchain tools, Notice notice)
       versions_(tools_.versions()) {}
 
 Artifact ModelCache::artifact(const ModelSpec& spec) const {
-  std::string manifest = "model abi " + std::to_string(GNOMON_MODEL_ABI) + "\n" + versions_;
-  for (const std::string_view source : {kModelSource, kModelAbiSource, kModelPrintSource}) {
+  const Driver driver = driver_of(spec.top);
+  std::string manifest = "model abi " + std::to_string(driver.abi) + "\n" + versions_;
+  for (const std::string_view source : {driver.source, driver.abi_source, kModelPrintSource}) {
     manifest += "driver " + content_hash(source) + "\n";
   }
   manifest += "compile " +
@@ -185,15 +197,22 @@ fs::path ModelCache::entry(const ModelSpec& spec) const {
   return artifacts_.entry(artifact(spec));
 }
 
-std::shared_ptr<const ModelLibrary> ModelCache::load(const ModelSpec& spec) {
+fs::path ModelCache::product(const ModelSpec& spec) {
   const Artifact wanted = artifact(spec);
-  if (const auto product = find_artifact(tools_.prebuilt_dir, wanted)) {
-    return std::make_shared<const ModelLibrary>(*product);
-  }
+  if (const auto found = find_artifact(tools_.prebuilt_dir, wanted)) return *found;
   const ArtifactCache::Found found =
       artifacts_.get(wanted, [&](const fs::path& work) { build_model(spec, work); });
   if (found.built) ++built_;
-  return std::make_shared<const ModelLibrary>(found.product);
+  return found.product;
+}
+
+std::shared_ptr<const ModelLibrary> ModelCache::load(const ModelSpec& spec) {
+  return std::make_shared<const ModelLibrary>(product(spec));
+}
+
+std::shared_ptr<const TopLibrary> ModelCache::load_top(ModelSpec spec) {
+  spec.top = ModelTop::Bus;
+  return std::make_shared<const TopLibrary>(product(spec));
 }
 
 std::optional<std::string> ModelCache::refusal(const ModelSpec& spec) const {
@@ -242,7 +261,7 @@ void ModelCache::build_model(const ModelSpec& spec, const fs::path& work) {
     throw ModelBuildError("the RTL refuses " + describe(spec) + ": " +
                           first_error(work / kLog, tools_.rtl_dir));
   }
-  write_sources(work);
+  write_sources(driver_of(spec.top), work);
   if (!compile_and_link(tools_, spec, runtime_archive, work)) {
     throw ModelBuildError("the model with " + describe(spec) +
                           " does not compile: " + first_error(work / kLog, work));

@@ -32,6 +32,8 @@ class ModelCache {
   /// The model, built if it is not in the cache. Throws ModelBuildError if the RTL refuses the parameters or
   /// does not compile.
   std::shared_ptr<const ModelLibrary> load(const ModelSpec& spec);
+  /// The same of gnomon_top, whatever spec.top says.
+  std::shared_ptr<const TopLibrary> load_top(ModelSpec spec);
 
   /// Asks Verilator alone, without compiling: nothing if the RTL accepts the spec, else its first error line.
   std::optional<std::string> refusal(const ModelSpec& spec) const;
@@ -43,6 +45,8 @@ class ModelCache {
 
  private:
   Artifact artifact(const ModelSpec& spec) const;
+  /// The shared object, built if it is not in the cache.
+  std::filesystem::path product(const ModelSpec& spec);
   std::filesystem::path runtime();
   void build_runtime(const std::filesystem::path& work) const;
   void build_model(const ModelSpec& spec, const std::filesystem::path& work);

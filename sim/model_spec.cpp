@@ -59,8 +59,14 @@ std::string describe(const golden::HardwareConfig& config) {
   return text;
 }
 
+const char* module_name(ModelTop top) {
+  return top == ModelTop::Bus ? "gnomon_top" : "gnomon_core";
+}
+
 std::string describe(const ModelSpec& spec) {
   std::string text = describe(spec.config);
+  if (spec.top == ModelTop::Bus)
+    text += fmt::format(" CACHE_LOG2={} AXI_DATA_BITS={}", spec.cache_log2, spec.axi_data_bits);
   if (spec.memory_latency != 1) text += fmt::format(" MEM_LATENCY={}", spec.memory_latency);
   if (spec.memory_stall_seed != 0) text += fmt::format(" MEM_STALL_SEED={}", spec.memory_stall_seed);
   if (spec.config.en_slb && spec.slb_dividers != 2)
@@ -77,9 +83,10 @@ std::string describe(const ModelSpec& spec) {
 std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
   // Waveforms are in ns. What is x in SystemVerilog is random here, so that a result depending on it shows
   // up.
-  std::vector<std::string> arguments{"--cc",         "--top-module", "gnomon_core",          "--prefix",
-                                     "Vgnomon_core", "-O3",          "--x-assign",           "unique",
-                                     "--x-initial",  "unique",       "--timescale-override", "1ns/1ns"};
+  const std::string module = module_name(spec.top);
+  std::vector<std::string> arguments{
+      "--cc",       "--top-module", module,        "--prefix", "V" + module,           "-O3",
+      "--x-assign", "unique",       "--x-initial", "unique",   "--timescale-override", "1ns/1ns"};
   for (const auto& [name, value] : parameters(spec.config)) {
     const bool one_bit = std::string_view(name).starts_with("EN_");
     arguments.push_back(fmt::format("-G{}={}{}", name, one_bit ? "1'b" : "", value));
@@ -87,11 +94,15 @@ std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
   arguments.push_back(fmt::format("-GMEM_LATENCY={}", spec.memory_latency));
   arguments.push_back(fmt::format("-GMEM_STALL_SEED={}", spec.memory_stall_seed));
   if (spec.config.en_slb) arguments.push_back(fmt::format("-GSLB_DIVIDERS={}", spec.slb_dividers));
+  if (spec.top == ModelTop::Bus) {
+    arguments.push_back(fmt::format("-GCACHE_LOG2={}", spec.cache_log2));
+    arguments.push_back(fmt::format("-GAXI_DATA_BITS={}", spec.axi_data_bits));
+  }
   for (const std::string& define : spec.defines) arguments.push_back("+define+" + define);
   if (spec.trace) arguments.insert(arguments.end(), {"--trace-fst", "--trace-structs"});
   if (spec.coverage) {  // Verilator offers only one of coverage and saving
     arguments.insert(arguments.end(), {"--coverage-line", "--coverage-toggle", "--coverage-user"});
-  } else {
+  } else if (spec.top == ModelTop::Core) {
     arguments.push_back("--savable");
   }
   if (spec.assertions) arguments.push_back("--assert");

@@ -4,31 +4,17 @@
 #include "sim/rtl_engine.hpp"
 
 #include <algorithm>
-#include <gnomon/golden/codec.hpp>
-#include <gnomon/golden/command.hpp>
 #include <utility>
 
 #include "sim/counter_names.hpp"
+#include "sim/counters.hpp"
+#include "sim/plane_reading.hpp"
 
 namespace gnomon::sim {
 
 namespace {
 
 constexpr std::uint64_t kResultRoom = 1u << 16;
-constexpr std::uint32_t kMaxReadEntries = 256;
-
-ModelSpec spec_of(const golden::HardwareConfig& config, const RtlOptions& options) {
-  return {.config = config,
-          .trace = options.trace_model || options.trace.has_value(),
-          .coverage = options.coverage,
-          .assertions = options.assertions,
-          .plain_bit_operations = options.plain_bit_operations,
-          .quick_build = options.quick_build,
-          .memory_latency = options.memory_latency,
-          .memory_stall_seed = options.memory_stall_seed,
-          .slb_dividers = options.slb_dividers,
-          .defines = options.defines};
-}
 
 GnomonModelGate gate_of(const PortStall& stall) {
   return {static_cast<std::uint32_t>(stall.open_per_256), static_cast<std::uint32_t>(stall.block_log2)};
@@ -103,25 +89,7 @@ class RtlEngineImpl final : public RtlEngine {
   }
 
   golden::Counters counters() const override {
-    golden::Counters counters;
-    for (std::uint32_t i = 0; i < kEventNames.size(); ++i)
-      counters.events[std::string(kEventNames[i])] = counter(i);
-    for (std::uint32_t i = 0; config_.en_slb && i < kSlbEventNames.size(); ++i)
-      counters.events[std::string(kSlbEventNames[i])] = counter(kFirstSlbCounter + i);
-    for (std::uint32_t i = 0; config_.en_vpu_topology && i < kTopologyEventNames.size(); ++i)
-      counters.events[std::string(kTopologyEventNames[i])] = counter(kFirstTopologyCounter + i);
-    const std::size_t perspective =
-        config_.en_vpu_topology ? kPerspectiveEventNames.size() : kPerspectiveOffsetEvents;
-    for (std::uint32_t i = 0; config_.en_perspective && i < perspective; ++i)
-      counters.events[std::string(kPerspectiveEventNames[i])] = counter(kFirstPerspectiveCounter + i);
-    for (std::uint32_t i = 0; config_.en_frame_buffer && i < kFrameEventNames.size(); ++i)
-      counters.events[std::string(kFrameEventNames[i])] = counter(kFirstFrameCounter + i);
-    for (std::size_t pass = 0; pass < kPassNames.size(); ++pass) {
-      for (std::size_t cause = 0; cause < kCauseNames.size(); ++cause) {
-        counters.cycles[cycle_counter_name(pass, cause)] = counter(cycle_counter_index(pass, cause));
-      }
-    }
-    return counters;
+    return read_counters(config_, [this](std::uint32_t index) { return counter(index); });
   }
 
   void reset() override {
@@ -235,15 +203,7 @@ std::string RtlEngineImpl::state(const GnomonModelRun& run) const {
 }
 
 std::vector<std::uint32_t> RtlEngineImpl::read_plane() {
-  const auto entries =
-      static_cast<std::uint32_t>(config_.plane_side()) * static_cast<std::uint32_t>(config_.plane_side());
-  std::vector<Word> words;
-  for (std::uint32_t first = 0; first < entries; first += kMaxReadEntries) {
-    const std::uint32_t arg =
-        golden::encode(golden::PlaneRange{first, std::min(kMaxReadEntries, entries - first)});
-    words.push_back(
-        golden::encode(golden::Header{static_cast<std::uint8_t>(golden::Op::ReadPlane), 0, 0, arg}));
-  }
+  const std::vector<Word> words = plane_commands(config_);
 
   // The hardware is read through its own port and then put back, so that no counter or command index shows
   // it.
@@ -254,11 +214,7 @@ std::vector<std::uint32_t> RtlEngineImpl::read_plane() {
   GnomonModelRun run = new_run(words);
   run.until_idle = 1;
   run_to_end(run);
-  std::vector<std::uint32_t> plane(entries, golden::kEmpty);
-  for (const Word word : results_) {
-    const golden::PlaneEntryResult entry = golden::decode_plane_entry_result(word);
-    if (entry.present) plane.at(entry.index) = entry.depth;
-  }
+  std::vector<std::uint32_t> plane = plane_of(config_, results_);
   api_.restore(model_.get());
   results_ = pending;
   result_cycles_ = pending_cycles;
@@ -268,10 +224,23 @@ std::vector<std::uint32_t> RtlEngineImpl::read_plane() {
 
 }  // namespace
 
+ModelSpec model_spec(const golden::HardwareConfig& config, const RtlOptions& options) {
+  return {.config = config,
+          .trace = options.trace_model || options.trace.has_value(),
+          .coverage = options.coverage,
+          .assertions = options.assertions,
+          .plain_bit_operations = options.plain_bit_operations,
+          .quick_build = options.quick_build,
+          .memory_latency = options.memory_latency,
+          .memory_stall_seed = options.memory_stall_seed,
+          .slb_dividers = options.slb_dividers,
+          .defines = options.defines};
+}
+
 std::unique_ptr<RtlEngine> make_rtl_engine(const golden::HardwareConfig& config, const RtlOptions& options,
                                            ModelCache& cache) {
   if (const auto error = config.check()) throw std::invalid_argument(*error);
-  return std::make_unique<RtlEngineImpl>(config, options, cache.load(spec_of(config, options)));
+  return std::make_unique<RtlEngineImpl>(config, options, cache.load(model_spec(config, options)));
 }
 
 std::unique_ptr<RtlEngine> make_rtl_engine(const golden::HardwareConfig& config, const RtlOptions& options) {

@@ -117,6 +117,9 @@ class RtlEngine : public golden::Engine {
   virtual void write_coverage(const std::filesystem::path& file) = 0;
 };
 
+/// The model of `config` that the options ask for.
+ModelSpec model_spec(const golden::HardwareConfig& config, const RtlOptions& options);
+
 /// `config` must pass check(), else std::invalid_argument. ModelBuildError as ModelCache::load;
 /// std::runtime_error if the waveform cannot be written.
 std::unique_ptr<RtlEngine> make_rtl_engine(const golden::HardwareConfig& config, const RtlOptions& options,

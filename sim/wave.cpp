@@ -4,14 +4,17 @@
 #include "sim/wave.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <gnomon/golden/codec.hpp>
+#include <gnomon/golden/stream.hpp>
 
 namespace gnomon::sim {
 
-Wave write_window(const golden::HardwareConfig& config, RtlOptions options, std::span<const Word> stream,
-                  const TraceWindow& window, ModelCache& cache) {
+Wave write_window(const TracedEngine& make, RtlOptions options, std::span<const Word> stream,
+                  const TraceWindow& window) {
   options.trace = window;
   if (window.to < UINT64_MAX) options.max_cycles = std::min(options.max_cycles, window.to + 1);
-  const auto engine = make_rtl_engine(config, options, cache);
+  const auto engine = make(options);
   try {
     engine->submit(stream);
     engine->drain([](std::span<const Word>) {});
@@ -20,6 +23,34 @@ Wave write_window(const golden::HardwareConfig& config, RtlOptions options, std:
   } catch (const RtlFault&) {
   }
   return {window, std::nullopt};
+}
+
+Wave write_window(const golden::HardwareConfig& config, RtlOptions options, std::span<const Word> stream,
+                  const TraceWindow& window, ModelCache& cache) {
+  const TracedEngine make = [&](const RtlOptions& traced) { return make_rtl_engine(config, traced, cache); };
+  return write_window(make, std::move(options), stream, window);
+}
+
+std::optional<std::size_t> find_command(std::span<const Word> stream, std::string_view name) {
+  const auto same = [](char a, char b) {
+    return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
+  };
+  for (std::size_t at = 0; at < stream.size();
+       at += std::size_t{1} + golden::decode_header(stream[at]).count) {
+    const std::string text = golden::describe_header(stream[at]);
+    const std::string_view found = std::string_view(text).substr(0, text.find(' '));
+    if (std::ranges::equal(found, name, same)) return at;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t cycle_of_header(const golden::HardwareConfig& config, RtlOptions options,
+                              std::span<const Word> stream, std::size_t at, ModelCache& cache) {
+  options.trace.reset();
+  options.trace_model = true;
+  const auto engine = make_rtl_engine(config, options, cache);
+  engine->submit(stream.first(at + 1));
+  return engine->cycle() - 1;
 }
 
 Wave write_first_difference(golden::Engine& reference, RtlOptions options, std::span<const Word> stream,

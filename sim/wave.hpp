@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <gnomon/golden/engine.hpp>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "sim/compare.hpp"
 #include "sim/rtl_engine.hpp"
@@ -19,10 +22,25 @@ struct Wave {
   std::optional<CompareReport> report;  ///< of the search for the first difference
 };
 
+/// Makes the engine whose waveform is wanted.
+using TracedEngine = std::function<std::unique_ptr<RtlEngine>(const RtlOptions&)>;
+
 /// Runs `stream` and writes the cycles of `window`; the run ends after the last of them. Cycle n is at (n +
 /// 10) * 10 ns in the file. `options.trace` is ignored. The file is complete also when Aborted is thrown.
 Wave write_window(const golden::HardwareConfig& config, RtlOptions options, std::span<const Word> stream,
                   const TraceWindow& window, ModelCache& cache);
+
+/// The same of whatever engine.
+Wave write_window(const TracedEngine& make, RtlOptions options, std::span<const Word> stream,
+                  const TraceWindow& window);
+
+/// Where the first command of that name (as in docs/command-stream.md, in any case) begins in the stream;
+/// nothing if there is none.
+std::optional<std::size_t> find_command(std::span<const Word> stream, std::string_view name);
+
+/// The cycle at which the rtl engine takes the header word `at` of the stream; without a waveform.
+std::uint64_t cycle_of_header(const golden::HardwareConfig& config, RtlOptions options,
+                              std::span<const Word> stream, std::size_t at, ModelCache& cache);
 
 /// How many cycles to show on each side of the word that differs.
 struct Surroundings {

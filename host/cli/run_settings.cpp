@@ -4,6 +4,7 @@
 
 #include "host/cli/scene_input.hpp"
 #include "host/cli/slb_settings.hpp"
+#include "host/cli/system_settings.hpp"
 #include "host/cli/vpu_settings.hpp"
 
 namespace gnomon::cli {
@@ -43,6 +44,7 @@ pipeline::RunSettings run_settings(const config::Settings& settings) {
   run.maps.kernel = static_cast<int>(settings.integer("pcf_kernel"));
   run.ray_sag = settings.number("ray_sag");
   run.frame_buffer = settings.is_on("frame_buffer");
+  run.system = system_settings(settings);
   run.clock_mhz = settings.number("clock_mhz");
   run.image_width = static_cast<int>(settings.integer("image_width"));
   run.image_height = static_cast<int>(settings.integer("image_height"));

@@ -6,6 +6,7 @@
 
 #include "host/cli/run_settings.hpp"
 #include "host/cli/scene_voxels.hpp"
+#include "host/cli/system_settings.hpp"
 #include "host/pipeline/technique.hpp"
 
 namespace gnomon::cli {
@@ -89,6 +90,23 @@ sim::RtlOptions rtl_options(const Context& context, const config::Settings& sett
   options.abort = &context.interruption.flag();
   options.defines = defines;
   return options;
+}
+
+void add_engine_option(CLI::App& command, std::string& engine) {
+  command
+      .add_option("--engine", engine,
+                  "rtl: the hardware alone; system: within a system of processor, firmware, bus and DRAM")
+      ->check(CLI::IsMember({"rtl", "system"}))
+      ->capture_default_str();
+}
+
+std::unique_ptr<sim::RtlEngine> engine_under_test(const std::string& engine, const config::Settings& settings,
+                                                  const golden::HardwareConfig& config,
+                                                  const sim::RtlOptions& options, sim::ModelCache& cache) {
+  if (engine == "rtl") return sim::make_rtl_engine(config, options, cache);
+  sim::system::SystemOptions system = system_settings(settings);
+  system.rtl = options;
+  return sim::system::make_system_engine(config, system, cache);
 }
 
 void add_define_option(CLI::App& command, std::vector<std::string>& defines) {

@@ -4,6 +4,7 @@
 
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/config.hpp>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,14 @@ Result<std::vector<ShadowJob>> shadow_jobs(Context& context, const LoadedScene& 
 /// Options of the rtl engine that several subcommands share: seed, Ctrl-C, and faults to be built in.
 sim::RtlOptions rtl_options(const Context& context, const config::Settings& settings,
                             const std::vector<std::string>& defines);
+
+/// "--engine rtl|system": the engine that is compared with golden.
+void add_engine_option(CLI::App& command, std::string& engine);
+
+/// The engine of that name. Throws as sim::make_rtl_engine.
+std::unique_ptr<sim::RtlEngine> engine_under_test(const std::string& engine, const config::Settings& settings,
+                                                  const golden::HardwareConfig& config,
+                                                  const sim::RtlOptions& options, sim::ModelCache& cache);
 
 /// "--define NAME": builds the hardware with a preprocessor name set.
 void add_define_option(CLI::App& command, std::vector<std::string>& defines);

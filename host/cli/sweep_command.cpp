@@ -96,8 +96,8 @@ class SweepCommand : public Command {
     command->add_option("-j,--jobs", jobs_, "Points at a time [one a core]")->check(CLI::Range(1U, 1024U));
     command
         ->add_option("--engine", engine_,
-                     "golden: the model alone; rtl: the hardware, checked against golden")
-        ->check(CLI::IsMember({"golden", "rtl"}))
+                     "golden: the model alone; rtl, system: the hardware, checked against golden")
+        ->check(CLI::IsMember({"golden", "rtl", "system"}))
         ->capture_default_str();
     CLI::Option* shard =
         command->add_option("--shard", shard_, "Measure every n-th point only, into a file of its own")
@@ -167,7 +167,7 @@ class SweepCommand : public Command {
     ProgressLine line(context.show_progress);
     sweep::RunnerOptions options;
     options.jobs = jobs_;
-    options.engine = engine_ == "golden" ? pipeline::EngineKind::Golden : pipeline::EngineKind::Rtl;
+    options.engine = *pipeline::engine_of(engine_);
     options.load = [](const fs::path& path, const config::Settings& settings) {
       return scene::load_scene(path, scene_options(settings));
     };

@@ -11,6 +11,7 @@
 #include "host/cli/progress.hpp"
 #include "host/cli/shadow_jobs.hpp"
 #include "sim/compare.hpp"
+#include "sim/wave.hpp"
 
 namespace gnomon::cli {
 namespace {
@@ -33,8 +34,18 @@ class VerifyCommand : public Command {
   CLI::App* add_to(CLI::App& program) override {
     CLI::App* command = program.add_subcommand("verify", "Compare the hardware with golden, word for word");
     command->add_option("SCENE", scenes_, "OBJ control cages, or scene files")->required();
+    add_engine_option(*command, engine_);
     add_set_option(*command, set_);
     add_define_option(*command, defines_);
+    command
+        ->add_option("--trace", trace_,
+                     "Where a comparison fails, write the waveform around the first difference; engine rtl")
+        ->type_name("FILE.fst");
+    command
+        ->add_option("--term-after-cycles", max_cycles_,
+                     "End each comparison after so many cycles; what was compared till then counts")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
     command->add_option("--junit", junit_, "Write the verdicts as JUnit XML, too")->type_name("FILE");
     command->add_flag("--json", json_, "Print the comparisons as JSON");
     command->footer(
@@ -48,13 +59,16 @@ class VerifyCommand : public Command {
       if (Result<void> possible = check_output(junit_); !possible)
         return tl::make_unexpected(possible.error());
     }
+    if (!trace_.empty() && engine_ != "rtl") return fail("--trace needs --engine rtl");
     std::vector<Verdict> verdicts;
     for (const fs::path& scene : scenes_) {
       if (Result<void> done = verify(context, scene, verdicts); !done)
         return tl::make_unexpected(done.error());
     }
+    if (context.interruption.requested() && verdicts.empty()) throw Interrupted();
     if (Result<void> written = write_junit(verdicts); !written) return tl::make_unexpected(written.error());
     if (json_) print_json(verdicts);
+    if (context.interruption.requested()) return kInterrupted;
     const bool passed =
         std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.report.passed(); });
     return passed ? kDone : kComparisonFailed;
@@ -75,6 +89,10 @@ class VerifyCommand : public Command {
       verdict->name = job.empty() ? scene.string() : scene.string() + ", " + job;
       if (!json_) print_text(*verdict, scene, input->settings);
       verdicts.push_back(std::move(*verdict));
+      if (context.interruption.requested()) return {};
+      if (!verdicts.back().report.passed() && !trace_.empty()) {
+        if (auto traced = trace(context, (*jobs)[i], input->settings); !traced) return traced;
+      }
     }
     return {};
   }
@@ -82,19 +100,37 @@ class VerifyCommand : public Command {
   Verdict compare(Context& context, sim::ModelCache& cache, const ShadowJob& job,
                   const config::Settings& settings) const {
     sim::RtlOptions options = rtl_options(context, settings, defines_);
+    options.max_cycles = max_cycles_;
     ProgressLine line(context.show_progress);
     options.progress = [&](const sim::Progress& p) {
-      line.update("rtl", static_cast<double>(p.words) / static_cast<double>(job.stream.size()));
+      line.update(engine_, static_cast<double>(p.words) / static_cast<double>(job.stream.size()));
     };
     const auto golden = golden::make_golden_engine(job.config);
-    const auto rtl = sim::make_rtl_engine(job.config, options, cache);
+    const auto rtl = engine_under_test(engine_, settings, job.config, options, cache);
     const auto start = std::chrono::steady_clock::now();
     sim::CompareOptions what;
     what.plane = true;
+    what.keep_partial = true;
     Verdict verdict;
     verdict.report = sim::compare(*golden, *rtl, job.stream, what, options.seed);
     verdict.seconds = seconds_since(start);
     return verdict;
+  }
+
+  /// The first difference once more, recorded; later ones replace earlier ones.
+  Result<void> trace(Context& context, const ShadowJob& job, const config::Settings& settings) const {
+    OutputFiles files;
+    const Result<void> added = files.add(trace_, [&](const fs::path& temporary) -> Result<void> {
+      const auto made = with_models(context, [&](sim::ModelCache& cache) {
+        const auto golden = golden::make_golden_engine(job.config);
+        return sim::write_first_difference(*golden, rtl_options(context, settings, defines_), job.stream,
+                                           temporary, {}, cache);
+      });
+      if (!made) return tl::make_unexpected(made.error());
+      if (!json_) fmt::print("{}: cycles {} to {}\n", trace_.string(), made->window.from, made->window.to);
+      return {};
+    });
+    return added ? files.commit() : added;
   }
 
   void print_text(const Verdict& verdict, const fs::path& scene, const config::Settings& settings) const {
@@ -104,7 +140,8 @@ class VerifyCommand : public Command {
     const double rate = static_cast<double>(verdict.report.cycles) / verdict.seconds / 1e6;
     fmt::print("{} ({} cycles, {:.2f} Mcycles/s)\n", text, verdict.report.cycles, rate);
     if (verdict.report.passed()) return;
-    fmt::print("reproduce: gnomon verify {} {}{}\n", scene.string(), fmt::join(settings.as_flags(), " "),
+    fmt::print("reproduce: gnomon verify {} {}{}{}\n", scene.string(),
+               engine_ == "rtl" ? "" : "--engine " + engine_ + " ", fmt::join(settings.as_flags(), " "),
                define_flags());
   }
 
@@ -137,8 +174,10 @@ class VerifyCommand : public Command {
   }
 
   std::vector<fs::path> scenes_;
+  std::string engine_ = "rtl";
   std::vector<std::string> set_, defines_;
-  fs::path junit_;
+  fs::path junit_, trace_;
+  std::uint64_t max_cycles_ = UINT64_MAX;
   bool json_ = false;
 };
 

@@ -42,6 +42,7 @@ class KnownAnswers final : public golden::Engine {
 /// "cycles.PROJECT.BUSY" -> a table of passes in the order of docs/command-stream.md.
 std::vector<report::PassCycles> by_pass(const std::map<std::string, std::uint64_t>& cycles) {
   std::vector<report::PassCycles> passes;
+  if (cycles.empty()) return passes;
   for (const std::string_view pass : sim::kPassNames) {
     report::PassCycles row{std::string(pass), {}};
     const std::string prefix = "cycles." + row.pass + ".";
@@ -62,10 +63,24 @@ report::CompareRecord compare_record(const sim::CompareReport& report, const std
   record.compared = true;
   record.words = report.words_compared;
   record.differing = report.words_differing;
-  record.other_faults = distance(report.expected_words, report.actual_words) + report.counters.size() +
-                        (report.fault.empty() ? 0 : 1);
+  record.partial = report.partial;
+  const std::uint64_t missing =
+      report.partial.empty() ? distance(report.expected_words, report.actual_words) : 0;
+  record.other_faults = missing + report.counters.size() + (report.fault.empty() ? 0 : 1);
   if (!report.passed()) record.text = sim::to_text(report) + "reproduce with: " + reproduce + "\n";
   record.first = sim::to_json(report).value("first_difference", nlohmann::json());
+  return record;
+}
+
+std::optional<report::SystemRecord> system_record(const sim::RtlEngine& engine) {
+  const auto* const system = dynamic_cast<const sim::system::SystemEngine*>(&engine);
+  if (system == nullptr) return std::nullopt;
+  report::SystemRecord record;
+  record.hardware = to_string(system->hardware());
+  record.statistics = system->system().statistics();
+  record.firmware_bytes = system->firmware_bytes();
+  record.log = system->system().log();
+  record.jobs = system->jobs();
   return record;
 }
 
@@ -105,11 +120,43 @@ EngineAnswers run_stream(golden::Engine& engine, std::span<const golden::Word> s
   return answers;
 }
 
+std::string_view to_string(EngineKind engine) {
+  switch (engine) {
+    case EngineKind::Golden:
+      return "golden";
+    case EngineKind::Rtl:
+      return "rtl";
+    case EngineKind::System:
+      return "system";
+  }
+  return "";
+}
+
+std::optional<EngineKind> engine_of(std::string_view word) {
+  for (const EngineKind engine : {EngineKind::Golden, EngineKind::Rtl, EngineKind::System})
+    if (to_string(engine) == word) return engine;
+  return std::nullopt;
+}
+
+std::unique_ptr<sim::RtlEngine> make_engine_under_test(const RunRequest& request,
+                                                       const golden::HardwareConfig& config,
+                                                       const sim::RtlOptions& options) {
+  if (request.engine != EngineKind::System) return sim::make_rtl_engine(config, options);
+  sim::system::SystemOptions system = request.settings.system;
+  system.rtl = options;
+  auto engine = sim::system::make_system_engine(config, system);
+  if (request.on_event) engine->set_event_log(request.on_event);
+  return engine;
+}
+
 RtlAnswers run_compared(sim::RtlEngine& rtl, std::span<const golden::Word> stream,
-                        const EngineAnswers& expected, std::uint32_t seed, const std::string& reproduce) {
+                        const EngineAnswers& expected, std::uint32_t seed, const std::string& reproduce,
+                        bool keep_partial) {
   KnownAnswers reference(rtl.config(), expected);
-  const sim::CompareReport report = sim::compare(reference, rtl, stream, {}, seed);
-  return {compare_record(report, reproduce), by_pass(report.rtl_counters.cycles)};
+  sim::CompareOptions options;
+  options.keep_partial = keep_partial;
+  const sim::CompareReport report = sim::compare(reference, rtl, stream, options, seed);
+  return {compare_record(report, reproduce), by_pass(report.rtl_counters.cycles), system_record(rtl)};
 }
 
 }  // namespace gnomon::pipeline

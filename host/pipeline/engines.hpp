@@ -5,6 +5,8 @@
 #include <functional>
 #include <gnomon/golden/engine.hpp>
 #include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,15 +34,24 @@ struct EngineAnswers {
 EngineAnswers run_stream(golden::Engine& engine, std::span<const golden::Word> stream,
                          std::span<const std::size_t> ends, const std::function<void(double)>& progress);
 
-/// What the rtl engine did, compared with what golden gave.
+/// The rtl or system engine that a request asks for, but for request.make_rtl. Throws as
+/// sim::make_rtl_engine.
+std::unique_ptr<sim::RtlEngine> make_engine_under_test(const RunRequest& request,
+                                                       const golden::HardwareConfig& config,
+                                                       const sim::RtlOptions& options);
+
+/// What the engine under test did, compared with what golden gave.
 struct RtlAnswers {
   report::CompareRecord compare;
-  std::vector<report::PassCycles> cycles;
+  std::vector<report::PassCycles> cycles;      ///< empty where the engine has none
+  std::optional<report::SystemRecord> system;  ///< of the system engine
 };
 
 /// Runs `stream` on `rtl` from reset; every word is compared with `expected` while it comes. `reproduce` is
-/// the command line that ends the text about a failure.
+/// the command line that ends the text about a failure. Throws sim::Aborted and sim::CycleLimit unless what
+/// was compared till then is asked for.
 RtlAnswers run_compared(sim::RtlEngine& rtl, std::span<const golden::Word> stream,
-                        const EngineAnswers& expected, std::uint32_t seed, const std::string& reproduce);
+                        const EngineAnswers& expected, std::uint32_t seed, const std::string& reproduce,
+                        bool keep_partial = false);
 
 }  // namespace gnomon::pipeline

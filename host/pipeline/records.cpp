@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "host/metrics/image_error.hpp"
+#include "host/pipeline/engines.hpp"
 
 namespace gnomon::pipeline {
 namespace {
@@ -46,7 +47,7 @@ report::RunRecord request_record(const RunRequest& request) {
   record.started = now();
   record.command_line = request.command_line;
   record.versions = request.versions;
-  record.engine = request.engine == EngineKind::Rtl ? "rtl" : "golden";
+  record.engine = to_string(request.engine);
   record.seed = request.seed;
   record.parameters = request.parameters;
   record.clock_mhz = request.settings.clock_mhz;

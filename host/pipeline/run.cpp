@@ -110,12 +110,19 @@ Result<RunOutcome> run_all(const RunRequest& request) {
   for (const auto& job : jobs) {
     if (auto done = job->run(); !done) return fail(done.error().message);
     job->draw();
+    if (job->interrupted()) {
+      records.push_back(job->record(stages.times()));
+      stages.finish();
+      break;
+    }
     const std::string suffix = job == jobs.front() ? "" : "-" + job->name();
     if (auto done = job->draw_frames(output->staging() / ("frames" + suffix)); !done)
       return fail(done.error().message);
     records.push_back(job->record(stages.times()));
   }
-  if (auto done = write_meshes(*output, request, scene, jobs, stages); !done)
+  const bool interrupted = records.size() < jobs.size() || jobs.back()->interrupted();
+  jobs.resize(records.size());
+  if (auto done = interrupted ? Result<void>() : write_meshes(*output, request, scene, jobs, stages); !done)
     return fail(done.error().message);
   auto metrics = write(*output, scene, jobs, records);
   if (!metrics) return fail(metrics.error().message);
@@ -123,7 +130,7 @@ Result<RunOutcome> run_all(const RunRequest& request) {
   if (auto done = output->commit("metrics.json"); !done) return fail(done.error().message);
   const auto failed = std::ranges::find_if(jobs, [](const auto& job) { return job->compare().failed(); });
   return RunOutcome{(failed == jobs.end() ? jobs.front() : *failed)->compare(), std::move(*metrics),
-                    request.output};
+                    request.output, interrupted};
 }
 
 /// What cannot be run, before anything is.
@@ -132,6 +139,8 @@ Result<void> check(const RunRequest& request) {
   if (request.scene.lights.empty()) return fail(source + ": has no lights, expected at least one");
   if (request.scene.objects.empty()) return fail(source + ": has no objects, expected at least one");
   if (request.settings.techniques.empty()) return fail("technique is empty, expected at least one");
+  if (request.trace && request.settings.techniques.size() > 1)
+    return fail("a waveform shows one technique, several are asked for");
   for (const std::string& name : request.settings.techniques) {
     if (request.frames > 0 && request.scene.lights.size() > 1 &&
         (name.starts_with("slb") || is_software(name)))

@@ -9,6 +9,7 @@
 #include <gnomon/golden/engine.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,13 +24,20 @@
 #include "host/scene/scene.hpp"
 #include "host/voxel/voxel_set.hpp"
 #include "sim/rtl_engine.hpp"
+#include "sim/system/system_engine.hpp"
 
 namespace gnomon::pipeline {
 
 enum class EngineKind : std::uint8_t {
   Golden,  ///< the golden model alone: nothing is compared, no cycles
   Rtl,     ///< the Verilated unit, compared with golden word for word
+  System,  ///< the same within a system of processor, firmware, bus and DRAM
 };
+
+/// "golden", "rtl", "system".
+std::string_view to_string(EngineKind engine);
+/// Nothing for any other word.
+std::optional<EngineKind> engine_of(std::string_view word);
 
 /// Of plain-map and pcf (docs/techniques.md).
 struct MapSettings {
@@ -51,10 +59,11 @@ struct RunSettings {
   MapSettings maps;
   double ray_sag = 1.0 / 512;  ///< voxels: of raycast's own tessellation
   bool frame_buffer = false;   ///< states are kept by the hardware and looked up (docs/frame-buffer.md)
-  double clock_mhz = 100;      ///< the clock at which cycles are told as time
-  int image_width = 960;       ///< pixels
-  int image_height = 720;      ///< pixels
-  unsigned threads = 0;        ///< 0: all cores
+  sim::system::SystemOptions system;  ///< of the system engine; `rtl` comes with the request
+  double clock_mhz = 100;             ///< the clock at which cycles are told as time
+  int image_width = 960;              ///< pixels
+  int image_height = 720;             ///< pixels
+  unsigned threads = 0;               ///< 0: all cores
 };
 
 /// Called with the stage's name and 0..1, from one thread at a time.
@@ -83,10 +92,18 @@ struct RunRequest {
   std::vector<std::pair<std::string, std::string>> versions;  ///< tool, version; the program itself first
 
   Progress progress;  ///< may be empty
-  /// True ends the run with an Error and leaves nothing behind. Not owned.
+  /// Cycles after which the simulation ends; the report says that its comparison is partial.
+  std::uint64_t max_cycles = UINT64_MAX;
+  std::optional<sim::TraceWindow> trace;  ///< of the engine under test; with one technique
+  /// Gets what happens in the system engine, as lines of JSON (docs/system-model.md); may be empty.
+  std::function<void(const std::string& line)> on_event;
+
+  /// True ends the run with an Error and leaves nothing behind; while the engine under test runs, it ends
+  /// that, and the report says so. Not owned.
   const std::atomic<bool>* abort = nullptr;
 
-  // Other engines than the usual ones, for tests; empty: golden::make_golden_engine and sim::make_rtl_engine.
+  // Other engines than the usual ones, for tests; empty: golden::make_golden_engine and
+  // make_engine_under_test.
   GoldenFactory make_golden;
   RtlFactory make_rtl;
 };
@@ -96,6 +113,7 @@ struct RunOutcome {
   report::CompareRecord compare;
   nlohmann::ordered_json metrics;  ///< what metrics.json holds (docs/report.md)
   std::filesystem::path output;    ///< where the report lies
+  bool interrupted = false;        ///< `abort` has ended the engine under test
 
   /// The program's exit status: 0 all comparisons hold, 1 one failed; report::verdict says so in one line.
   int exit_status() const { return compare.failed() ? 1 : 0; }

@@ -20,7 +20,11 @@ class Stages {
   Stages(const RunRequest& request, std::vector<report::StageTime> earlier)
       : request_(request), clock_(std::move(earlier)) {}
 
-  bool aborted() const { return request_.abort != nullptr && request_.abort->load(); }
+  /// The user wants an end.
+  bool requested() const { return request_.abort != nullptr && request_.abort->load(); }
+  /// And there is not only the report left to be written.
+  bool aborted() const { return !finishing_ && requested(); }
+  void finish() { finishing_ = true; }
   /// To be called from within stages as often as one likes; throws metrics::Cancelled if the run is to end.
   void progress(std::string_view stage, double done) const {
     if (aborted()) throw metrics::Cancelled();
@@ -43,6 +47,7 @@ class Stages {
  private:
   const RunRequest& request_;
   StageClock clock_;
+  bool finishing_ = false;
 };
 
 }  // namespace gnomon::pipeline

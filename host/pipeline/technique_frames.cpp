@@ -57,6 +57,7 @@ Result<std::vector<golden::Word>> TechniqueJob::ask(std::span<const golden::Word
     if (compare_.text.empty()) compare_.text = rtl.compare.text;
     if (compare_.first.is_null()) compare_.first = rtl.compare.first;
     cycles_ = rtl.cycles;  // since reset
+    system_ = rtl.system;
     if (rtl.compare.failed()) rtl_.reset();
   }
   return std::move(answers.results);

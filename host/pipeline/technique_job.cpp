@@ -83,7 +83,8 @@ void TechniqueJob::run_golden() {
 /// The first run of a configuration compiles its model; without a compiler or a cache that is the user's to
 /// cure.
 Result<std::unique_ptr<sim::RtlEngine>> TechniqueJob::make_rtl(const sim::RtlOptions& options) const try {
-  return request_.make_rtl ? request_.make_rtl(hardware_, options) : sim::make_rtl_engine(hardware_, options);
+  return request_.make_rtl ? request_.make_rtl(hardware_, options)
+                           : make_engine_under_test(request_, hardware_, options);
 } catch (const std::runtime_error& error) {
   return fail(error.what());
 }
@@ -92,18 +93,24 @@ Result<void> TechniqueJob::run_rtl() {
   sim::RtlOptions options;
   options.seed = request_.seed;
   options.abort = request_.abort;
-  options.progress = [this](const sim::Progress& p) {
+  options.max_cycles = request_.max_cycles;
+  options.trace = request_.trace;
+  const std::string_view stage = report::engine_stage(to_string(request_.engine));
+  options.progress = [this, stage](const sim::Progress& p) {
     if (frames_) return stages_.progress(report::kFramesStage, 0);
-    stages_.progress(report::kRtlStage, static_cast<double>(p.words) / static_cast<double>(stream_.size()));
+    stages_.progress(stage, static_cast<double>(p.words) / static_cast<double>(stream_.size()));
   };
   auto engine = stages_.run("rtl model", [&] { return make_rtl(options); });
   if (!engine) return fail(engine.error().message);
-  RtlAnswers answers = stages_.run(report::kRtlStage, [&] {
-    return run_compared(**engine, stream_, golden_, request_.seed, report::shell_line(request_.command_line));
+  RtlAnswers answers = stages_.run(stage, [&] {
+    return run_compared(**engine, stream_, golden_, request_.seed, report::shell_line(request_.command_line),
+                        true);
   });
   compare_ = std::move(answers.compare);
   cycles_ = std::move(answers.cycles);
-  if (frames_ask() && !compare_.failed()) rtl_ = std::move(*engine);
+  system_ = std::move(answers.system);
+  if (interrupted()) stages_.finish();
+  if (frames_ask() && !compare_.failed() && compare_.partial.empty()) rtl_ = std::move(*engine);
   return {};
 }
 
@@ -139,7 +146,7 @@ void TechniqueJob::run_software() {
 
 Result<void> TechniqueJob::run_engines() {
   run_golden();
-  return request_.engine == EngineKind::Rtl ? run_rtl() : Result<void>();
+  return request_.engine == EngineKind::Golden ? Result<void>() : run_rtl();
 }
 
 Result<void> TechniqueJob::run() {

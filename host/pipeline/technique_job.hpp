@@ -47,6 +47,8 @@ class TechniqueJob {
   const std::vector<std::vector<golden::VoxelState>>& states() const { return states_; }
   const TechniquePictures& pictures() const { return pictures_; }
   const report::CompareRecord& compare() const { return compare_; }
+  /// The request's `abort` has ended the engine under test: what is left to do is to say so.
+  bool interrupted() const { return !compare_.partial.empty() && stages_.requested(); }
 
  private:
   struct View {
@@ -94,6 +96,7 @@ class TechniqueJob {
   std::vector<std::vector<std::uint8_t>> points_;        ///< by light
   report::CompareRecord compare_;
   std::vector<report::PassCycles> cycles_;
+  std::optional<report::SystemRecord> system_;
   std::vector<report::LightRecord> lights_;
   report::PictureRecord picture_record_;
   std::optional<report::FramesRecord> frames_;

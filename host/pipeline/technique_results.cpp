@@ -139,6 +139,7 @@ report::RunRecord TechniqueJob::record(const std::vector<report::StageTime>& sha
   record.compare = compare_;
   record.cycles = cycles_;
   record.predicted_cycles = golden_.counters.cycles;
+  record.system = system_;
   record.picture = picture_record_;
   record.frames = frames_;
   record.command_words = stream_.size();

@@ -159,6 +159,7 @@ Json compare_json(const CompareRecord& compare) {
           {"differing", compare.differing},
           {"other_faults", compare.other_faults},
           {"failed", compare.failed()},
+          {"partial", compare.partial.empty() ? Json() : Json(compare.partial)},
           {"verdict", verdict(compare)},
           {"first_difference", Json(compare.first)},
           {"text", compare.text}};
@@ -251,7 +252,7 @@ Json run_time_json(const RunRecord& record, const Json& cycles) {
       shadows -= cycles["by_pass"]["READ"]["total"].get<std::uint64_t>();
     time["cycles"] = shadows;
     time["seconds_at_clock"] = static_cast<double>(shadows) / (record.clock_mhz * 1e6);
-    const StageTime simulation = stage_of(record, kRtlStage);
+    const StageTime simulation = stage_of(record, engine_stage(record.engine));
     time["simulation_mcycles_per_second"] = ratio(count * 1e-6, simulation.wall_seconds);
     time["simulation_mcycles_per_cpu_second"] = ratio(count * 1e-6, simulation.user_seconds);
   }
@@ -296,6 +297,7 @@ std::string verdict(const CompareRecord& compare) {
   std::string text =
       with_commas(compare.words) + " words compared, " + with_commas(compare.differing) + " differ";
   if (compare.words == 0) text += ": nothing is verified";
+  if (!compare.partial.empty()) text = "partial, " + compare.partial + ": " + text;
   if (compare.other_faults != 0) text += "; " + with_commas(compare.other_faults) + " other faults";
   return text;
 }
@@ -329,6 +331,7 @@ Json metrics_json(const RunRecord& record) {
           {"cycles", cycles},
           {"cycles_predicted", predicted_json(record)},
           {"run_time", run_time_json(record, cycles)},
+          {"system", system_json(record.system)},
           {"memory", memory_json(record)},
           {"plane", plane_json(record.plane, record.events)},
           {"topology", topology_json(record.topology, record.events)},
@@ -345,9 +348,10 @@ Json metrics_json(std::span<const RunRecord> records) {
   for (const RunRecord& record : records) {
     const Json one = metrics_json(record);
     Json row = Json::object();
-    for (const char* key : {"technique", "hardware", "registers", "lights", "compare", "errors", "picture",
-                            "frames", "cycles", "cycles_predicted", "run_time", "memory", "plane", "topology",
-                            "slb", "software", "voxels", "events", "stages"})
+    for (const char* key :
+         {"technique", "hardware", "registers",        "lights",   "compare", "errors", "picture",
+          "frames",    "cycles",   "cycles_predicted", "run_time", "system",  "memory", "plane",
+          "topology",  "slb",      "software",         "voxels",   "events",  "stages"})
       row[key] = one.at(key);
     all["techniques"].push_back(std::move(row));
   }

@@ -17,11 +17,17 @@ inline constexpr int kMetricsSchema = 1;
 /// Stages whose time stands for a figure elsewhere in the report.
 inline constexpr std::string_view kGoldenStage = "golden engine";
 inline constexpr std::string_view kRtlStage = "rtl engine";
+inline constexpr std::string_view kSystemStage = "system engine";
 inline constexpr std::string_view kSoftwareStage = "software technique";
 inline constexpr std::string_view kDoubleStage = "double reference";
 inline constexpr std::string_view kExactStage = "exact reference";
 inline constexpr std::string_view kShadowMapStage = "shadow maps";
 inline constexpr std::string_view kFramesStage = "frames";
+
+/// Of the engine under test, "rtl" or "system".
+inline std::string_view engine_stage(std::string_view engine) {
+  return engine == "system" ? kSystemStage : kRtlStage;
+}
 
 nlohmann::ordered_json metrics_json(const RunRecord& record);
 /// Of several techniques over one scene, at least one: the first one's figures, and in `techniques` those of

@@ -35,6 +35,9 @@ Json counts_json(const MislabelCounts& counts);
 Json errors_json(const ErrorsRecord& errors);
 Json exact_json(const ExactRecord& exact);
 
+/// null without.
+Json system_json(const std::optional<SystemRecord>& system);
+
 /// All lights with their errors and views.
 Json lights_json(const RunRecord& record);
 

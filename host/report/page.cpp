@@ -60,8 +60,8 @@ std::string report_page(const Json& metrics, const Pictures& pictures) {
                               {"error", data_uri(other.error)}});
   }
   for (const Json& section : {summary_section(metrics), error_section(metrics), cycle_section(metrics),
-                              stage_section(metrics), configuration_section(metrics), model_section(metrics),
-                              technique_section(metrics), light_section(metrics)}) {
+                              stage_section(metrics), system_section(metrics), configuration_section(metrics),
+                              model_section(metrics), technique_section(metrics), light_section(metrics)}) {
     view.update(section);
   }
   mustache::mustache page{std::string(page_html())};

@@ -93,13 +93,15 @@ void add_double(const Json& m, Json& view) {
 Json error_section(const Json& m) {
   const Json& time = m.at("run_time");
   const bool rtl = !m.at("cycles").is_null();
+  const auto engine = m.at("engine").get<std::string>();
   const std::string memory = bits(m.at("memory").at("hardware_bits").get<std::uint64_t>());
 
   Json hardware = error_row(m.at("errors").at("fixed"), "fixed point", "the hardware, to the bit");
   hardware["cycles"] = rtl ? count(time.at("cycles")) : "not simulated";
   hardware["time_at_clock"] = rtl ? seconds(time.at("seconds_at_clock")) : kNone;
-  hardware["host"] = rtl ? wall_text(m, kRtlStage) + " rtl, " + wall_text(m, kGoldenStage) + " golden"
-                         : wall_text(m, kGoldenStage) + " golden";
+  hardware["host"] =
+      rtl ? wall_text(m, engine_stage(engine)) + " " + engine + ", " + wall_text(m, kGoldenStage) + " golden"
+          : wall_text(m, kGoldenStage) + " golden";
   hardware["memory"] = memory;
   Json exact = exact_row();
   exact["host"] = wall_text(m, kExactStage);

@@ -14,6 +14,7 @@
 #include "host/base/light.hpp"
 #include "host/scene/mesh_topology.hpp"
 #include "host/voxel/voxel_set.hpp"
+#include "sim/system/system_top.hpp"
 
 namespace gnomon::report {
 
@@ -45,6 +46,7 @@ struct CompareRecord {
   std::string text;  ///< where it failed: several lines that name word, command, cycle and fields of both
   bool software = false;  ///< a technique without hardware: there is nothing to compare
   nlohmann::json first;   ///< the first differing word (docs/report.md), null if there is none
+  std::string partial{};  ///< not empty: it was ended before the stream was, and why
 
   /// A comparison that compared nothing has failed, too.
   bool failed() const { return compared && (words == 0 || differing != 0 || other_faults != 0); }
@@ -115,6 +117,15 @@ struct ErrorsRecord {
 struct PassCycles {
   std::string pass;
   std::map<std::string, std::uint64_t> causes;
+};
+
+/// The system around the hardware: processor, firmware, bus, DRAM (docs/system-model.md).
+struct SystemRecord {
+  std::string hardware;  ///< what answers the commands inside: "core", "golden"
+  sim::system::SystemStatistics statistics;
+  std::size_t firmware_bytes = 0;            ///< of the image
+  std::string log;                           ///< the firmware's
+  std::vector<sim::system::JobReport> jobs;  ///< without their results
 };
 
 /// One stage of the host, in the order in which they ran.
@@ -248,6 +259,7 @@ struct RunRecord {
   std::vector<PassCycles> cycles;               ///< empty where the engine has no cycles
   /// By the cycle model (docs/cycle-model.md), "cycles.<PASS>.<CAUSE>"; empty without a command stream.
   std::map<std::string, std::uint64_t> predicted_cycles;
+  std::optional<SystemRecord> system;           ///< of the system engine
   ErrorsRecord errors;
   ExactRecord exact;
   PictureRecord picture;

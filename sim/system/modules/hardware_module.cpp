@@ -35,14 +35,13 @@ std::span<std::uint8_t> bytes_of(std::span<Word> values) {
 
 HardwareModule::HardwareModule(const sc_core::sc_module_name& name, golden::Engine& engine,
                                std::function<std::uint64_t()> clock)
-    : sc_module(name),
-      registers_socket("registers_socket"),
-      memory_socket("memory_socket"),
-      interrupt("interrupt"),
+    : HardwareBase(name),
+      registers_socket_("registers_socket"),
+      memory_socket_("memory_socket"),
       engine_(engine),
       clock_(std::move(clock)),
       registers_(engine.config()) {
-  registers_socket.register_b_transport(this, &HardwareModule::transport);
+  registers_socket_.register_b_transport(this, &HardwareModule::transport);
   SC_HAS_PROCESS(HardwareModule);
   SC_THREAD(work);
   SC_METHOD(drive);
@@ -79,18 +78,28 @@ void HardwareModule::drive() {
 }
 
 void HardwareModule::work() {
-  for (;;) try {
-      idle();
-      check_rings();
-      run_descriptor();
-    } catch (const Stopped& stopped) {
-      registers_.stop(stopped.code, in_job_ ? job_ : kNoJob, stopped.address);
-      registers_.set_busy(false);
-      registers_.set_result_blocked(false);
-      notify();
-    } catch (const Reset&) {
-      reset();
-    }
+  try {
+    for (;;) serve();
+  } catch (const sc_core::sc_unwind_exception&) {  // SystemC's own
+    throw;
+  } catch (const std::exception&) {
+    fail();
+  }
+}
+
+void HardwareModule::serve() {
+  try {
+    idle();
+    check_rings();
+    run_descriptor();
+  } catch (const Stopped& stopped) {
+    registers_.stop(stopped.code, in_job_ ? job_ : kNoJob, stopped.address);
+    registers_.set_busy(false);
+    registers_.set_result_blocked(false);
+    notify();
+  } catch (const Reset&) {
+    reset();
+  }
 }
 
 void HardwareModule::reset() {
@@ -148,7 +157,7 @@ sc_core::sc_time HardwareModule::transfer(tlm::tlm_command command, std::uint64_
   payload.set_data_length(static_cast<unsigned>(data.size()));
   payload.set_streaming_width(static_cast<unsigned>(data.size()));
   sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-  memory_socket->b_transport(payload, delay);
+  memory_socket_->b_transport(payload, delay);
   if (payload.is_response_ok()) return delay;
   if (payload.get_response_status() == tlm::TLM_INCOMPLETE_RESPONSE) {
     const std::uint32_t timeout = registers_.get(hw::kAxiTimeoutOffset);
@@ -232,6 +241,7 @@ void HardwareModule::take(std::span<const Word> words) {
   for (const Word word : words)
     items_left_ = items_left_ != 0 ? items_left_ - 1 : golden::decode_header(word).count;
   engine_.submit(words);
+  words_taken_ += words.size();
 }
 
 void HardwareModule::give_results() {

@@ -14,23 +14,18 @@
 #include <vector>
 
 #include "sim/system/device_registers.hpp"
-#include "sim/system/event_log.hpp"
+#include "sim/system/modules/hardware_base.hpp"
 
 namespace gnomon::sim::system {
 
-class HardwareModule : public sc_core::sc_module {
+class HardwareModule : public HardwareBase {
  public:
   /// The engine must outlive the module; it is reset with it. `clock` as in System.
   HardwareModule(const sc_core::sc_module_name& name, golden::Engine& engine,
                  std::function<std::uint64_t()> clock);
 
-  tlm_utils::simple_target_socket<HardwareModule> registers_socket;
-  tlm_utils::simple_initiator_socket<HardwareModule> memory_socket;
-  sc_core::sc_out<bool> interrupt;
-
-  const DeviceRegisters& registers() const { return registers_; }
-  /// Told of every descriptor, if set.
-  std::function<void(const DescriptorEvent&)> observe;
+  tlm::tlm_target_socket<>& register_side() override { return registers_socket_; }
+  tlm::tlm_initiator_socket<>& memory_side() override { return memory_socket_; }
 
  private:
   struct Descriptor {
@@ -50,6 +45,8 @@ class HardwareModule : public sc_core::sc_module {
   void notify() { changed_.notify(sc_core::SC_ZERO_TIME); }
 
   void work();
+  /// Waits for a descriptor and runs it.
+  void serve();
   void idle();
   void check_rings() const;
   void run_descriptor();
@@ -69,6 +66,8 @@ class HardwareModule : public sc_core::sc_module {
   /// What the transaction takes beyond now; stops the hardware if it is not answered well.
   sc_core::sc_time transfer(tlm::tlm_command command, std::uint64_t address, std::span<std::uint8_t> data);
 
+  tlm_utils::simple_target_socket<HardwareModule> registers_socket_;
+  tlm_utils::simple_initiator_socket<HardwareModule> memory_socket_;
   golden::Engine& engine_;
   std::function<std::uint64_t()> clock_;
   std::uint64_t clock_seen_ = 0;

@@ -70,9 +70,12 @@ void Router::transport(int initiator, tlm::tlm_generic_payload& payload, sc_core
   const std::uint64_t begin = to_cycles(sc_core::sc_time_stamp() + delay);
   delay += cycles(latency_cycles_);
   const std::optional<std::size_t> target = forward(initiator, payload, delay);
+  const std::uint64_t end = to_cycles(sc_core::sc_time_stamp() + delay);
+  if (initiator == kHardware && payload.is_write() && payload.is_response_ok() && on_hardware_write)
+    on_hardware_write(payload.get_address(), payload.get_data_length(), end);
   if (!observe) return;
   observe({.begin = begin,
-           .end = to_cycles(sc_core::sc_time_stamp() + delay),
+           .end = end,
            .initiator = initiator == kCpu ? "cpu" : "hardware",
            .target = target ? std::string_view(statistics_[*target].target) : "none",
            .write = payload.is_write(),

@@ -37,6 +37,8 @@ class Router : public sc_core::sc_module {
   tlm_utils::multi_passthrough_target_socket<Router> targets;
   tlm_utils::multi_passthrough_initiator_socket<Router> initiators;
   Injector inject;
+  /// Told of every write of the hardware's that was answered well, with the cycle of the answer, if set.
+  std::function<void(std::uint64_t address, std::uint32_t bytes, std::uint64_t cycle)> on_hardware_write;
   /// Told of every transaction, if set.
   std::function<void(const TransactionEvent&)> observe;
   const std::vector<BusStatistics>& statistics() const { return statistics_; }

@@ -51,6 +51,17 @@ TEST(Metrics, LightsHaveTheirPlaceTheirErrorsAndTheirViews) {
   EXPECT_EQ(m["lights"][2]["position"], ordered_json({1.0, 2.0, 3.0}));
 }
 
+TEST(Metrics, TheSystemEngineHasItsOwnFigures) {
+  EXPECT_TRUE(metrics_json(sample_record())["system"].is_null());
+  const ordered_json s = metrics_json(system_record())["system"];
+  EXPECT_EQ(s["inside"], "core");
+  EXPECT_EQ(s["firmware"]["instructions_per_job"], 550.0);
+  EXPECT_EQ(s["firmware"]["log"], ordered_json({"firmware <0>", "second line"}));
+  EXPECT_EQ(s["bus"][1]["writes"], 30);
+  EXPECT_EQ(s["dram"]["bytes_per_cycle"], 8.0);
+  EXPECT_NEAR(s["dram"]["row_hit_share"].get<double>(), 10000 / 10500.0, 1e-12);
+}
+
 TEST(Metrics, SeveralTechniquesStandSideBySide) {
   EXPECT_TRUE(metrics_json(sample_record())["techniques"].empty());
   const std::vector<RunRecord> records{sample_record(), topology_record()};
@@ -188,6 +199,7 @@ TEST(Metrics, EveryKeyIsDocumented) {
   collect(metrics_json(slb_record()), keys);
   collect(metrics_json(topology_record()), keys);
   collect(metrics_json(lights_record())["lights"][1], keys);
+  collect(metrics_json(system_record())["system"], keys);
   ASSERT_GT(keys.size(), 100u);
   for (const std::string& key : keys) {
     const bool documented =

@@ -54,6 +54,14 @@ TEST(Page, PicturesAreInline) {
   EXPECT_THAT(html, HasSubstr("\"data:image/png;base64,ZXJyb3IgYnl0ZXM=\""));
 }
 
+TEST(Page, TheSystemEngineHasASectionOfItsOwn) {
+  EXPECT_THAT(page_of(sample_record()), Not(HasSubstr("id=\"system\"")));
+  const std::string html = page_of(system_record());
+  EXPECT_THAT(html, HasSubstr("id=\"system\""));
+  EXPECT_THAT(html, HasSubstr("firmware &lt;0&gt;"));
+  EXPECT_THAT(html, HasSubstr("500,000 cycles from power-up"));
+}
+
 TEST(Page, ATechniqueWithoutAFormInDoubleHasNoSuchLine) {
   RunRecord record = sample_record();
   EXPECT_THAT(page_of(record), HasSubstr("Quantisation error:"));

@@ -122,15 +122,34 @@ RunRecord lights_record() {
   LightRecord& sun = r.lights.front();
   sun.in_shadow = 30000;
   sun.errors = r.errors;
-  sun.views = {{"directional", 217000, 217000, {}, {}, r.plane, {}, {}}};
+  sun.views = {{"directional", 217000, 217000, {}, {}, r.plane, {}, {}, {}}};
   LightRecord& spot = r.lights.emplace_back();
   spot.light = SpotLight{Vec3(0, 4, 1), Vec3(0, -1, 0), 20};
   spot.in_shadow = 41000;
   spot.not_reached = 15000;
   spot.errors = r.errors;
   const std::map<std::string, std::uint64_t> events{{"VOXELS_PROJECTED", 90000}, {"PROJECT_BEHIND", 1000}};
-  spot.views = {{"spot", 90000, 80000, events, {}, PlaneRecord{128, 4000, 1.5, 1}, {}, {}}};
+  spot.views = {{"spot", 90000, 80000, events, {}, PlaneRecord{128, 4000, 1.5, 1}, {}, {}, {}}};
   r.plane->views = 2;
+  return r;
+}
+
+RunRecord system_record() {
+  RunRecord r = sample_record();
+  r.engine = "system";
+  SystemRecord& system = r.system.emplace();
+  system.hardware = "core";
+  system.statistics.cycles = 500000;
+  system.statistics.cpu.instructions = 4200;
+  system.statistics.cpu.cycles = 500100;
+  system.statistics.cpu.cycles_asleep = 495000;
+  system.statistics.dram = {7000, 3500, 4000000, 10000, 8, 492, 500000};
+  system.statistics.bus = {{"dram", 7000, 3500, 4000000}, {"hardware", 20, 30, 200}};
+  system.firmware_bytes = 4700;
+  system.log = "firmware <0>\nsecond line\n";
+  system.jobs.resize(2);
+  system.jobs[0].instructions = 500;
+  system.jobs[1].instructions = 600;
   return r;
 }
 

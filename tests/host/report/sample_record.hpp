@@ -7,8 +7,11 @@
 namespace gnomon::report {
 
 RunRecord sample_record();
+/// A directional light and a spot.
+RunRecord lights_record();
+/// The same run on the system engine.
+RunRecord system_record();
 /// The same run on the golden engine alone.
-RunRecord lights_record();  ///< a directional light and a spot
 RunRecord golden_record();
 /// The same scene on the silhouette-line buffer.
 RunRecord slb_record();

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/golden_engine.hpp>
@@ -10,6 +12,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "sim/registers/registers.hpp"
 #include "sim/rtl_engine.hpp"
@@ -64,7 +67,7 @@ TEST(System, GivesGoldensWords) {
     compared += reports[i].results.size();
   }
   EXPECT_GT(compared, 1'000u);
-  EXPECT_THAT(bench.system.log(), testing::StartsWith("gnomon firmware: hardware 1.0"));
+  EXPECT_THAT(bench.system.log(), testing::StartsWith("gnomon firmware: hardware 1.1"));
 }
 
 TEST(System, ConfigurationsChangeCyclesNeverWords) {
@@ -245,6 +248,86 @@ TEST(System, RefusesWhatDoesNotFit) {
   EXPECT_THROW(make({}, 65537), std::invalid_argument);
   Bench bench;
   EXPECT_THROW(bench.system.run(std::vector<Job>(257)), std::length_error);
+}
+
+TEST(System, SeveralLiveInOneProcess) {
+  const std::vector<Job> jobs{{.commands = stream(11)}};
+  const Words expected = answers(jobs[0].commands);
+  const auto first = std::make_unique<Bench>();
+  const auto second = std::make_unique<Bench>();
+  EXPECT_EQ(first->system.run(jobs).at(0).results, expected);
+  EXPECT_EQ(second->system.run(jobs).at(0).results, expected);
+  EXPECT_EQ(first->system.statistics().cycles, second->system.statistics().cycles);
+  std::vector<Words> found(4);
+  {
+    std::vector<std::jthread> threads;
+    for (Words& results : found)
+      threads.emplace_back([&] {
+        Bench bench;
+        results = bench.system.run(jobs).at(0).results;
+      });
+  }
+  EXPECT_THAT(found, testing::Each(expected));
+}
+
+TEST(System, KnowsWhenEachResultLayInMemory) {
+  Bench bench;
+  const std::vector<Job> jobs{{.commands = stream(12, 100)}};
+  const JobReport report = bench.system.run(jobs).at(0);
+  ASSERT_EQ(report.result_cycles.size(), report.results.size());
+  EXPECT_GT(report.result_cycles.front(), 1'000u) << "the firmware starts first";
+  EXPECT_TRUE(std::is_sorted(report.result_cycles.begin(), report.result_cycles.end()));
+  EXPECT_LE(report.result_cycles.back(), bench.system.statistics().cycles);
+}
+
+/// Throws at the first word.
+class BrokenEngine final : public golden::Engine {
+ public:
+  std::string_view name() const override { return "broken"; }
+  const golden::HardwareConfig& config() const override { return config_; }
+  void submit(std::span<const golden::Word>) override { throw HangError("it hangs"); }
+  void drain(const golden::ResultSink&) override {}
+  golden::Counters counters() const override { return {}; }
+  void reset() override {}
+  std::vector<std::uint32_t> read_plane() override { return {}; }
+
+ private:
+  golden::HardwareConfig config_;
+};
+
+TEST(System, WhatTheEngineThrowsComesOut) {
+  BrokenEngine engine;
+  const std::vector<std::uint8_t> image = firmware();
+  System system({}, engine, image);
+  const std::vector<Job> jobs{{.commands = stream(13)}};
+  EXPECT_THROW(system.run(jobs), HangError);
+}
+
+TEST(SystemEngine, EndsEarlyWithTheResultsSoFar) {
+  const Words words = stream(14, 3'000), expected = answers(words);
+  SystemConfig config;
+  config.result_ring_log2 = 6;
+  SystemEngine whole(config, golden::make_golden_engine({}), firmware());
+  whole.submit(words);
+  whole.drain_timed([&](auto, auto cycles) { config.max_cycles = cycles[cycles.size() / 2]; });
+  SystemEngine limited(config, golden::make_golden_engine({}), firmware());
+  limited.submit(words);
+  EXPECT_THROW(limited.drain([](auto) {}), CycleLimit);
+  EXPECT_EQ(limited.cycle(), config.max_cycles);
+  Words found;
+  limited.poll([&](auto more, auto cycles) {
+    EXPECT_EQ(more.size(), cycles.size());
+    found.assign(more.begin(), more.end());
+  });
+  ASSERT_GT(found.size(), 100u);
+  ASSERT_LT(found.size(), expected.size());
+  EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin()));
+
+  const std::atomic<bool> abort = true;
+  config.abort = &abort;
+  SystemEngine interrupted(config, golden::make_golden_engine({}), firmware());
+  interrupted.submit(words);
+  EXPECT_THROW(interrupted.drain([](auto) {}), Aborted);
 }
 
 TEST(SystemEngine, IsAnEngineLikeAnyOther) {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Verilated gnomon_top within the system: golden's words, its counters, faults on its bus.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <gnomon/golden/golden_engine.hpp>
+#include <numeric>
+
+#include "firmware/image.hpp"
+#include "sim/registers/registers.hpp"
+#include "sim/system/system_engine.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/stimulus.hpp"
+
+namespace gnomon::sim::system::test {
+namespace {
+
+using Words = std::vector<Word>;
+
+const golden::HardwareConfig kSmall{.plane_log2 = 5};
+
+SystemOptions quick() {
+  SystemOptions options;
+  options.rtl.quick_build = true;
+  options.rtl.assertions = true;
+  return options;
+}
+
+Words answers(golden::Engine& engine, const Words& words) {
+  Words results;
+  engine.submit(words);
+  engine.drain([&](std::span<const Word> more) { results.insert(results.end(), more.begin(), more.end()); });
+  return results;
+}
+
+std::uint64_t sum(const std::map<std::string, std::uint64_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0},
+                         [](std::uint64_t all, const auto& count) { return all + count.second; });
+}
+
+/// Streams one after the other: words, counters and plane like golden's. How many words were compared.
+std::size_t expect_golden(SystemEngine& engine, std::uint64_t first_seed, int streams) {
+  const auto golden = golden::make_golden_engine(engine.config());
+  std::size_t compared = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(streams); ++seed) {
+    const Words words = stimulus::random_stream(engine.config(), {.seed = seed, .commands = 60});
+    const Words expected = answers(*golden, words);
+    EXPECT_EQ(answers(engine, words), expected) << seed;
+    EXPECT_EQ(engine.counters().events, golden->counters().events) << seed;
+    compared += expected.size();
+  }
+  const golden::Counters before = engine.counters();
+  EXPECT_EQ(engine.read_plane(), golden->read_plane());
+  EXPECT_EQ(engine.counters().events, before.events) << "no counter shows it";
+  return compared;
+}
+
+TEST(Top, GivesGoldensWordsAndItsCyclesHaveCauses) {
+  const auto engine = make_system_engine(kSmall, quick());
+  EXPECT_GT(expect_golden(*engine, 1, 6), 1'000u);
+  engine->reset();
+  EXPECT_GT(expect_golden(*engine, 20, 1), 100u);
+  const auto fresh = make_system_engine(kSmall, quick());
+  const Words words = stimulus::random_stream(kSmall, {.seed = 20, .commands = 60});
+  answers(*fresh, words);
+  // Each cycle since power-up has one cause; the copy is taken a few cycles after the firmware's last word.
+  EXPECT_NEAR(static_cast<double>(sum(fresh->counters().cycles)), static_cast<double>(fresh->cycle()), 100);
+  EXPECT_GT(fresh->counters().cycles.at("cycles.IDLE.IDLE"), 1'000u) << "the firmware starts";
+}
+
+TEST(Top, PlanesInMemoryGiveTheSameWords) {
+  SystemOptions cached = quick();
+  cached.cache_log2 = 12;
+  cached.axi_data_bits = 128;
+  const auto engine = make_system_engine(kSmall, cached);
+  EXPECT_GT(expect_golden(*engine, 40, 4), 500u);
+}
+
+TEST(Top, LatencyCostsCyclesNeverWords) {
+  SystemOptions slow = quick();
+  slow.system.dram.latency = 300;
+  const auto near = make_system_engine(kSmall, quick()), far = make_system_engine(kSmall, slow);
+  const Words words = stimulus::random_stream(kSmall, {.seed = 9, .commands = 100});
+  const Words expected = answers(*near, words);
+  EXPECT_GT(expected.size(), 100u);
+  EXPECT_EQ(answers(*far, words), expected);
+  EXPECT_GT(far->cycle(), near->cycle());
+}
+
+TEST(Top, FaultsOnTheBusNeverShowAsResults) {
+  const auto engine = make_system_engine(kSmall, quick());
+  stimulus::Random random(3);
+  std::uint64_t injected = 0, done = 0;
+  const FaultInjector faults = [&](std::uint64_t, bool) {
+    if (random.between(1, 30) != 1) return Fault::None;
+    ++injected;
+    return random.between(1, 2) == 1 ? Fault::SlaveError : Fault::DecodeError;
+  };
+  for (std::uint64_t round = 0; injected < 60; ++round) {
+    std::vector<Job> jobs(1);
+    jobs[0].commands = stimulus::random_stream(kSmall, {.seed = 100 + round, .commands = 20});
+    jobs[0].retries = 8;
+    engine->reset();
+    engine->system().set_fault_injector(faults);
+    const JobReport report = engine->system().run(jobs).at(0);
+    if (report.outcome != registers::mailbox::kOutcomeIsDone) {
+      EXPECT_TRUE(report.results.empty());
+      continue;
+    }
+    EXPECT_EQ(report.results, answers(*golden::make_golden_engine(kSmall), jobs[0].commands)) << round;
+    ++done;
+  }
+  EXPECT_GT(done, 5u);
+  EXPECT_GE(injected, 60u);
+}
+
+TEST(Top, EndsEarlyAtACycle) {
+  SystemOptions options = quick();
+  options.rtl.max_cycles = 9'000;
+  const auto engine = make_system_engine(kSmall, options);
+  engine->submit(stimulus::random_stream(kSmall, {.seed = 14, .commands = 2'000}));
+  EXPECT_THROW(engine->drain([](auto) {}), CycleLimit);
+  std::size_t found = 0;
+  engine->poll([&](auto words, auto cycles) {
+    found = words.size();
+    EXPECT_TRUE(std::is_sorted(cycles.begin(), cycles.end()));
+    EXPECT_LE(cycles.back(), 9'200u);
+  });
+  EXPECT_GT(found, 50u) << "results are written while the job runs";
+}
+
+}  // namespace
+}  // namespace gnomon::sim::system::test
