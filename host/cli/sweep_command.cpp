@@ -2,8 +2,10 @@
 // gnomon sweep: many configurations, one table, one report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "host/cli/command.hpp"
@@ -16,7 +18,9 @@
 #include "host/sweep/figures.hpp"
 #include "host/sweep/key.hpp"
 #include "host/sweep/page.hpp"
+#include "host/sweep/plots.hpp"
 #include "host/sweep/runner.hpp"
+#include "host/sweep/selection.hpp"
 #include "host/sweep/spec.hpp"
 
 namespace gnomon::cli {
@@ -104,8 +108,14 @@ class SweepCommand : public Command {
             ->type_name("I/N");
     command->add_flag("--merge", merge_, "Take the files of all shards into the results, measure nothing")
         ->excludes(shard);
+    command
+        ->add_option("--confirm", confirm_,
+                     "Run points on the rtl engine too and compare cycles and words: front, all, or how many")
+        ->type_name("WHICH")
+        ->excludes(shard);
     command->add_flag("--retry", retry_, "Measure points again that failed");
     command->add_flag("--extend", extend_, "Add to the results of another specification");
+    command->add_flag("--plots", plots_, "Write every plot as SVG and PNG into the folder plots");
     command->add_flag("--json", json_, "Print how many points were measured as JSON");
     command->footer("Example:\n  gnomon sweep scenes/sweeps/widths.toml -o out/widths");
     return command;
@@ -114,6 +124,8 @@ class SweepCommand : public Command {
   Result<int> run(Context& context) override {
     const Result<Shard> shard = Shard::parse(shard_);
     if (!shard) return tl::make_unexpected(shard.error());
+    const auto selection = sweep::Selection::parse(confirm_);
+    if (!selection) return tl::make_unexpected(selection.error());
     const Result<sweep::Spec> spec = sweep::read_spec(spec_);
     if (!spec) return tl::make_unexpected(spec.error());
     const auto all = tasks_of(*spec);
@@ -127,7 +139,7 @@ class SweepCommand : public Command {
     if (merge_) {
       if (auto merged = merge(context, *store); !merged) return tl::make_unexpected(merged.error());
     }
-    return finish(context, *spec, *all, *shard, *store);
+    return finish(context, {*spec, *all, *shard, *selection}, *store);
   }
 
  private:
@@ -162,72 +174,112 @@ class SweepCommand : public Command {
     return tasks;
   }
 
-  sweep::RunnerCounts measure(Context& context, const std::vector<sweep::Task>& tasks,
-                              sweep::Store& store) const {
-    ProgressLine line(context.show_progress);
+  sweep::RunnerOptions runner_options(Context& context) const {
     sweep::RunnerOptions options;
     options.jobs = jobs_;
-    options.engine = *pipeline::engine_of(engine_);
-    options.load = [](const fs::path& path, const config::Settings& settings) {
+    options.task.engine = engine_ == "golden" ? pipeline::EngineKind::Golden : pipeline::EngineKind::Rtl;
+    options.task.load = [](const fs::path& path, const config::Settings& settings) {
       return scene::load_scene(path, scene_options(settings));
     };
-    options.settings = run_settings;
+    options.task.settings = run_settings;
+    options.task.abort = &context.interruption.flag();
+    return options;
+  }
+
+  using Run = sweep::RunnerCounts(const std::vector<sweep::Task>&, sweep::Store&,
+                                  const sweep::RunnerOptions&);
+
+  sweep::RunnerCounts each(Context& context, const char* what, const std::vector<sweep::Task>& tasks,
+                           sweep::Store& store, Run* go) const {
+    ProgressLine line(context.show_progress);
+    sweep::RunnerOptions options = runner_options(context);
     options.progress = [&](std::size_t done, std::size_t all) {
-      line.update("points", static_cast<double>(done) / static_cast<double>(all));
+      line.update(what, static_cast<double>(done) / static_cast<double>(all));
     };
-    options.abort = &context.interruption.flag();
-    return sweep::run_tasks(tasks, store, options);
-  }
-
-  Result<int> finish(Context& context, const sweep::Spec& spec, const std::vector<sweep::Task>& all,
-                     const Shard& shard, sweep::Store& store) const {
-    const std::vector<sweep::Task> tasks = missing(all, shard, store);
-    const auto start = std::chrono::steady_clock::now();
-    const sweep::RunnerCounts counts = merge_ ? sweep::RunnerCounts{} : measure(context, tasks, store);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const sweep::RunnerCounts counts = go(tasks, store, options);
     if (counts.interrupted) throw Interrupted();
-    const std::size_t left = tasks.size() - counts.done - counts.failed;
-    if (shard.count == 1) {
-      const std::vector<sweep::Row> rows = store.rows();
-      if (auto done = write_report(spec.name, rows); !done) return tl::make_unexpected(done.error());
-    }
-    print(all.size(), counts, left, seconds, shard);
-    return kDone;
+    return counts;
   }
 
-  Result<void> write_report(const std::string& name, const std::vector<sweep::Row>& rows) const {
+  /// What a sweep is to do.
+  struct Job {
+    const sweep::Spec& spec;
+    const std::vector<sweep::Task>& all;
+    const Shard& shard;
+    const sweep::Selection& selection;
+  };
+  struct Outcome {
+    std::size_t left = 0;
+    double seconds = 0;
+    sweep::RunnerCounts measured, confirmed;
+  };
+
+  Result<int> finish(Context& context, const Job& job, sweep::Store& store) const {
+    Outcome outcome;
+    const std::vector<sweep::Task> tasks = missing(job.all, job.shard, store);
+    const auto start = std::chrono::steady_clock::now();
+    if (!merge_) outcome.measured = each(context, "points", tasks, store, sweep::run_tasks);
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome.left = tasks.size() - outcome.measured.done - outcome.measured.failed;
+    if (!job.selection.empty()) {
+      const std::set<std::string> chosen = job.selection.choose(store.rows());
+      std::vector<sweep::Task> some;
+      std::ranges::copy_if(job.all, std::back_inserter(some),
+                           [&](const sweep::Task& task) { return chosen.contains(task.key); });
+      outcome.confirmed = each(context, "confirming", some, store, sweep::confirm_tasks);
+    }
+    if (job.shard.count == 1) {
+      if (auto done = write_report(context, job.spec.name, store.rows()); !done)
+        return tl::make_unexpected(done.error());
+    }
+    print(job, outcome);
+    return outcome.confirmed.failed > 0 ? kComparisonFailed : kDone;
+  }
+
+  Result<void> write_report(Context& context, const std::string& name,
+                            const std::vector<sweep::Row>& rows) const {
     OutputFiles files;
     for (const auto& [file, content] : {std::pair{"report.html", sweep::sweep_page(name, rows)},
                                         std::pair{"points.csv", sweep::csv_table(rows)}}) {
-      if (auto done =
-              files.add(output_ / file, [&](const fs::path& path) { return write_bytes(path, content); });
+      if (auto done = files.add(output_ / file,
+                                [&text = content](const fs::path& path) { return write_bytes(path, text); });
           !done)
         return done;
+    }
+    if (plots_) {
+      const auto drawn = sweep::write_plots(sweep::plots_of(rows), output_ / "plots");
+      if (!drawn) return tl::make_unexpected(drawn.error());
+      if (!*drawn)
+        context.log->warn("plots: no PNG files without rsvg-convert (Debian package librsvg2-bin)");
     }
     return files.commit();
   }
 
-  void print(std::size_t all, const sweep::RunnerCounts& counts, std::size_t left, double seconds,
-             const Shard& shard) const {
+  void print(const Job& job, const Outcome& outcome) const {
+    const sweep::RunnerCounts &counts = outcome.measured, &confirmed = outcome.confirmed;
     const std::size_t measured = counts.done + counts.failed;
-    const double rate = seconds > 0 ? static_cast<double>(measured) / seconds : 0;
-    const fs::path result = output_ / (shard.count == 1 ? "report.html" : shard.file());
+    const double rate = outcome.seconds > 0 ? static_cast<double>(measured) / outcome.seconds : 0;
+    const fs::path result = output_ / (job.shard.count == 1 ? "report.html" : job.shard.file());
     if (json_) {
-      const nlohmann::ordered_json figures{{"points", all},           {"measured", counts.done},
-                                           {"failed", counts.failed}, {"missing", left},
-                                           {"seconds", seconds},      {"points_per_second", rate},
-                                           {"scenes", counts.scenes}, {"output", result.string()}};
+      const nlohmann::ordered_json figures{{"points", job.all.size()},    {"measured", counts.done},
+                                           {"failed", counts.failed},     {"missing", outcome.left},
+                                           {"seconds", outcome.seconds},  {"points_per_second", rate},
+                                           {"scenes", counts.scenes},     {"confirmed", confirmed.done},
+                                           {"flagged", confirmed.failed}, {"output", result.string()}};
       fmt::print("{}\n", figures.dump(2));
       return;
     }
-    fmt::print("{} of {} points measured in {:.1f} s ({:.1f} a second), {} failed, {} missing\n{}\n",
-               measured, all, seconds, rate, counts.failed, left, result.string());
+    fmt::print("{} of {} points measured in {:.1f} s ({:.1f} a second), {} failed, {} missing\n", measured,
+               job.all.size(), outcome.seconds, rate, counts.failed, outcome.left);
+    if (!job.selection.empty())
+      fmt::print("{} points confirmed on the hardware, {} flagged\n", confirmed.done, confirmed.failed);
+    fmt::print("{}\n", result.string());
   }
 
   fs::path spec_, output_;
   unsigned jobs_ = 0;
-  std::string engine_ = "golden", shard_;
-  bool merge_ = false, retry_ = false, extend_ = false, json_ = false;
+  std::string engine_ = "golden", shard_, confirm_;
+  bool merge_ = false, retry_ = false, extend_ = false, plots_ = false, json_ = false;
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "host/pipeline/slb_technique.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <gnomon/golden/slb/codec.hpp>
@@ -13,6 +12,7 @@
 #include "host/metrics/voxel_index.hpp"
 #include "host/outline/outline.hpp"
 #include "host/pipeline/records.hpp"
+#include "host/pipeline/slb_answers.hpp"
 #include "host/plan/slb_stream.hpp"
 #include "host/plan/vpu_plan.hpp"
 #include "host/slb/buffer_picture.hpp"
@@ -22,10 +22,8 @@ namespace {
 
 using golden::VoxelState;
 
-constexpr int kLargestDump = 1024;          // pixels a side
-constexpr int kPicturePixels = 24;          // a side, of the plane's part that is shown
-constexpr std::uint64_t kScratchBits = 11;  // a pixel: docs/slb.md, "Scratch memory"
-constexpr std::uint64_t kCarryBits = 8;     // a row
+constexpr int kLargestDump = 1024;  // pixels a side
+constexpr int kPicturePixels = 24;  // a side, of the plane's part that is shown
 
 /// One hardware with both units.
 golden::HardwareConfig joined(const golden::HardwareConfig& vpu, golden::HardwareConfig slb) {
@@ -38,15 +36,6 @@ golden::HardwareConfig joined(const golden::HardwareConfig& vpu, golden::Hardwar
   return slb;
 }
 
-/// The normal is evaluated: the stored one is single precision, too coarse for walls along the light's way.
-Receiver at_representative(const voxel::Voxel& v, const surface::LimitSurface& surface, const Vec3& light,
-                           bool two_sided) {
-  const Vec3 p = metrics::representative(v);
-  const double cosine = -surface.normal(v.face, double{v.u}, double{v.v}).dot(light.normalized());
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-          static_cast<float>(two_sided ? std::abs(cosine) : cosine)};
-}
-
 /// The plane as READ_ENTRIES gave it, row-major.
 std::vector<golden::slb::Entry> entries_of(std::span<const golden::Word> results,
                                            const golden::slb::SlbConfig& config) {
@@ -57,21 +46,6 @@ std::vector<golden::slb::Entry> entries_of(std::span<const golden::Word> results
       entries.push_back(golden::slb::unpack_entry({result->raw.begin(), result->raw.end()}, config));
   }
   return entries;
-}
-
-/// In order, among other results.
-Result<std::vector<golden::slb::QueryAnswer>> query_answers(std::span<const golden::Word> results,
-                                                            std::size_t expected) {
-  std::vector<golden::slb::QueryAnswer> answers;
-  answers.reserve(expected);
-  golden::ResultReader reader(results);
-  while (const auto result = reader.next()) {
-    if (golden::result_code(result->word) == golden::ResultCode::Error)
-      return fail("the hardware refused a command: " + golden::describe_result(result->word));
-    if (static_cast<std::uint8_t>(result->word >> 56) == golden::slb::kAnswerCode)
-      answers.push_back(golden::slb::decode_answer(result->word));
-  }
-  return answers;
 }
 
 class SlbTechnique final : public Technique {
@@ -126,7 +100,7 @@ class SlbTechnique final : public Technique {
 
 Result<void> SlbTechnique::draw(golden::StreamWriter& writer) const {
   std::vector<outline::ObjectOutline> outlines;
-  std::vector<std::vector<plan::SheetSample>> samples;
+  std::vector<std::vector<golden::slb::CoverSample>> sheets;
   outline::Options options;
   options.frac_bits = config_.frac_bits;
   for (std::uint32_t object = 0; object < input_.surfaces.size(); ++object) {
@@ -135,23 +109,18 @@ Result<void> SlbTechnique::draw(golden::StreamWriter& writer) const {
     if (!outline) return fail(outline.error().message);
     outline->front().object = object;
     outlines.push_back(std::move(outline->front()));
-    samples.push_back(plan::sheet_samples(slb_, input_.surfaces[object], input_.voxels, object,
-                                          input_.roles.two_sided[object]));
+    sheets.push_back(
+        plan::cover_samples(slb_, plan::sheet_samples(slb_, input_.surfaces[object], input_.voxels, object,
+                                                      input_.roles.two_sided[object])));
   }
-  plan::draw_casters(writer, slb_, outlines, samples);
+  plan::draw_casters(writer, slb_, outlines, sheets);
   return {};
 }
 
 Result<void> SlbTechnique::write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
                                  std::span<const Receiver> points) {
   if (vpu_) plan::write_vpu(writer, hardware, *vpu_, input_.voxels, input_.seen, input_.roles.two_sided);
-  const std::vector<std::uint32_t>& asked = input_.seen.receivers;
-  receivers_.resize(asked.size());
-  tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
-    const voxel::Voxel& v = input_.voxels.voxels[asked[i]];
-    receivers_[i] = at_representative(v, input_.surfaces[v.object], input_.view.axes.away,
-                                      input_.roles.two_sided[v.object]);
-  });
+  receivers_ = voxel_receivers(input_.surfaces, input_.voxels, input_.roles, input_.view, input_.seen);
   receivers_.insert(receivers_.end(), points.begin(), points.end());
   if (auto done = draw(writer); !done) return fail(done.error().message);
   plan::ask_receivers(writer, slb_, receivers_);
@@ -234,12 +203,7 @@ void SlbTechnique::describe(const PartAnswers& golden, std::span<const golden::W
     record.plane = plane_record(*vpu_, golden);
   }
   const golden::slb::SlbConfig slb = config_.slb_config();
-  report::SlbRecord& use = record.slb.emplace();
-  use.side = static_cast<std::uint32_t>(slb_.plane.side);
-  use.pitch = slb_.plane.pitch;
-  use.entry_bits = static_cast<std::uint64_t>(slb.stored_entry_bits());
-  use.pixel_scratch_bits = kScratchBits;
-  use.row_bits = kCarryBits;
+  report::SlbRecord& use = record.slb.emplace(slb_record(slb_, config_));
   for (const golden::slb::Entry& entry : entries_of(results, slb)) {
     ++use.pixels_by_fragments.at(entry.count);
     use.full_pixels += entry.full_depth != slb.no_depth() ? 1U : 0U;

@@ -63,19 +63,14 @@ std::vector<bool> casting(const voxel::VoxelSet& voxels, std::size_t objects, co
   return casts;
 }
 
-struct Interval {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+/// Grows with what it is to hold.
+struct Interval : SlbExtent::Range {
+  Interval() : Range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()} {}
   void extend(double x) {
     low = std::min(low, x);
     high = std::max(high, x);
   }
-  void widen(double by) {
-    low -= by;
-    high += by;
-  }
-  double size() const { return high - low; }
-  double middle() const { return 0.5 * (low + high); }
+  Range widened(double by) const { return {low - by, high + by}; }
 };
 
 int plane_log2_for(double extent) {
@@ -95,40 +90,51 @@ outline::LightFrame SlbPlan::frame() const {
   return frame;
 }
 
-Result<SlbPlan> plan_slb(const voxel::VoxelSet& voxels, const std::vector<bool>& may_cast, const Vec3& light,
-                         const SlbSettings& settings) {
+Result<SlbExtent> slb_extent(const voxel::VoxelSet& voxels, const std::vector<bool>& may_cast,
+                             const Vec3& light) {
   if (!(light.length() > 0) || !std::isfinite(light.length()))
     return fail("light has no direction: expected three finite numbers, not all 0");
-  SlbPlan plan;
-  plan.plane.axes = light_axes(light);
-  plan.casts = casting(voxels, may_cast.size(), plan.plane.axes.away);
-  for (std::size_t i = 0; i < may_cast.size(); ++i) plan.casts[i] = plan.casts[i] && may_cast[i];
-  Interval x;
-  Interval y;
-  Interval depth;
+  SlbExtent extent;
+  extent.axes = light_axes(light);
+  extent.casts = casting(voxels, may_cast.size(), extent.axes.away);
+  for (std::size_t i = 0; i < may_cast.size(); ++i) extent.casts[i] = extent.casts[i] && may_cast[i];
+  Interval right, up, depth;
   for (const voxel::Voxel& v : voxels.voxels) {
     const Vec3 p = representative(v);
-    depth.extend(plan.plane.axes.away.dot(p));
-    if (!plan.casts[v.object]) continue;
-    x.extend(plan.plane.axes.right.dot(p));
-    y.extend(plan.plane.axes.up.dot(p));
+    depth.extend(extent.axes.away.dot(p));
+    if (!extent.casts[v.object]) continue;
+    right.extend(extent.axes.right.dot(p));
+    up.extend(extent.axes.up.dot(p));
   }
-  if (x.size() < 0)
+  if (right.size() < 0)
     return fail("nothing in the scene can cast a shadow: expected at least one object that is not flat");
-  x.widen(kSurround);
-  y.widen(kSurround);
-  depth.widen(kDepthReserve);
+  extent.right = right.widened(kSurround);
+  extent.up = up.widened(kSurround);
+  extent.depth = depth.widened(kDepthReserve);
+  return extent;
+}
 
-  const double extent = std::max(x.size(), y.size());
-  plan.config = settings.hardware(settings.plane_log2 > 0 ? settings.plane_log2 : plane_log2_for(extent));
+Result<SlbPlan> plan_slb(const SlbExtent& extent, const SlbSettings& settings) {
+  SlbPlan plan;
+  plan.plane.axes = extent.axes;
+  plan.casts = extent.casts;
+  const double widest = std::max(extent.right.size(), extent.up.size());
+  plan.config = settings.hardware(settings.plane_log2 > 0 ? settings.plane_log2 : plane_log2_for(widest));
   if (const auto wrong = plan.config.check()) return fail(*wrong);
   plan.plane.side = 1 << plan.config.slb_plane_log2;
-  plan.plane.pitch = extent / (plan.plane.side - 2);
-  plan.plane.x1 = 0.5 * plan.plane.side - x.middle() / plan.plane.pitch;
-  plan.plane.y1 = 0.5 * plan.plane.side - y.middle() / plan.plane.pitch;
-  plan.nearest = depth.low;
-  plan.codes_per_voxel = (std::ldexp(1.0, plan.config.depth_bits) - 2) / depth.size();
+  plan.plane.pitch = widest / (plan.plane.side - 2);
+  plan.plane.x1 = 0.5 * plan.plane.side - extent.right.middle() / plan.plane.pitch;
+  plan.plane.y1 = 0.5 * plan.plane.side - extent.up.middle() / plan.plane.pitch;
+  plan.nearest = extent.depth.low;
+  plan.codes_per_voxel = (std::ldexp(1.0, plan.config.depth_bits) - 2) / extent.depth.size();
   return plan;
+}
+
+Result<SlbPlan> plan_slb(const voxel::VoxelSet& voxels, const std::vector<bool>& may_cast, const Vec3& light,
+                         const SlbSettings& settings) {
+  const auto extent = slb_extent(voxels, may_cast, light);
+  if (!extent) return tl::make_unexpected(extent.error());
+  return plan_slb(*extent, settings);
 }
 
 }  // namespace gnomon::plan

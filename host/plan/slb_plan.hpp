@@ -29,6 +29,26 @@ struct SlbPlan {
   outline::LightFrame frame() const;
 };
 
+/// What the scene alone says about the plane under one light: the same for all settings.
+struct SlbExtent {
+  struct Range {
+    double low = 0, high = 0;  ///< voxels
+    double size() const { return high - low; }
+    double middle() const { return 0.5 * (low + high); }
+  };
+  LightAxes axes;
+  std::vector<bool> casts;  ///< by object
+  Range right, up;          ///< of what casts, with its surround
+  Range depth;              ///< of everything, along `axes.away`, with its reserve
+};
+
+/// `may_cast` and `light` as for plan_slb, which see; fails where it fails because of the scene.
+Result<SlbExtent> slb_extent(const voxel::VoxelSet& voxels, const std::vector<bool>& may_cast,
+                             const Vec3& light);
+
+/// The plan for what slb_extent found. Fails where the settings make no legal hardware.
+Result<SlbPlan> plan_slb(const SlbExtent& extent, const SlbSettings& settings);
+
 /// `may_cast`: by object, whether it is to cast shadows at all; `light` is the way the light travels, in grid
 /// coordinates. Fails where the settings make no legal hardware (the error names the key) or nothing casts a
 /// shadow.

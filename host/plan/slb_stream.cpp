@@ -78,29 +78,6 @@ golden::slb::CoverSample sheet_of(const SlbPlan& plan, const Span* first, const 
   return sheet;
 }
 
-/// One sample for each sheet in each pixel, farthest first: spans of a pixel that overlap are one sheet.
-std::vector<golden::slb::CoverSample> cover_samples(const SlbPlan& plan,
-                                                    std::span<const SheetSample> samples) {
-  std::vector<Span> spans;
-  spans.reserve(samples.size());
-  for (const SheetSample& sample : samples) spans.push_back(span_of(plan, sample));
-  std::ranges::sort(spans, std::greater{},
-                    [](const Span& s) { return std::tuple(s.row, s.column, s.far, s.near); });
-  std::vector<golden::slb::CoverSample> sheets;
-  for (std::size_t first = 0; first < spans.size();) {
-    double near = spans[first].near;
-    std::size_t last = first + 1;
-    while (last < spans.size() && spans[last].row == spans[first].row &&
-           spans[last].column == spans[first].column && spans[last].far >= near) {
-      near = std::min(near, spans[last].near);
-      ++last;
-    }
-    sheets.push_back(sheet_of(plan, &spans[first], spans.data() + last));
-    first = last;
-  }
-  return sheets;
-}
-
 golden::slb::QueryPoint query_point(const SlbPlan& plan, const Receiver& receiver) {
   const Vec3 p(receiver.x, receiver.y, receiver.z);
   const Vec2 at = plan.plane.pixel(p);
@@ -143,9 +120,31 @@ std::vector<SheetSample> sheet_samples(const SlbPlan& plan, const surface::Limit
   return samples;
 }
 
+std::vector<golden::slb::CoverSample> cover_samples(const SlbPlan& plan,
+                                                    std::span<const SheetSample> samples) {
+  std::vector<Span> spans;  // those of a pixel that overlap are one sheet
+  spans.reserve(samples.size());
+  for (const SheetSample& sample : samples) spans.push_back(span_of(plan, sample));
+  std::ranges::sort(spans, std::greater{},
+                    [](const Span& s) { return std::tuple(s.row, s.column, s.far, s.near); });
+  std::vector<golden::slb::CoverSample> sheets;
+  for (std::size_t first = 0; first < spans.size();) {
+    double near = spans[first].near;
+    std::size_t last = first + 1;
+    while (last < spans.size() && spans[last].row == spans[first].row &&
+           spans[last].column == spans[first].column && spans[last].far >= near) {
+      near = std::min(near, spans[last].near);
+      ++last;
+    }
+    sheets.push_back(sheet_of(plan, &spans[first], spans.data() + last));
+    first = last;
+  }
+  return sheets;
+}
+
 void draw_casters(golden::StreamWriter& writer, const SlbPlan& plan,
                   std::span<const outline::ObjectOutline> outlines,
-                  std::span<const std::vector<SheetSample>> samples) {
+                  std::span<const std::vector<golden::slb::CoverSample>> sheets) {
   const auto margin = static_cast<std::uint32_t>(
       std::ceil((std::sqrt(3.0) + kMarginPixels * plan.plane.pitch) * plan.codes_per_voxel));
   writer.slb_clear();
@@ -159,7 +158,7 @@ void draw_casters(golden::StreamWriter& writer, const SlbPlan& plan,
     }
     if (!outlines[i].loops.empty()) {
       writer.fill();
-      writer.cover(cover_samples(plan, samples[i]), margin);
+      writer.cover(sheets[i], margin);
     }
     writer.end_object();
   }

@@ -24,11 +24,16 @@ struct SheetSample {
 std::vector<SheetSample> sheet_samples(const SlbPlan& plan, const surface::LimitSurface& surface,
                                        const voxel::VoxelSet& voxels, std::uint32_t object, bool two_sided);
 
-/// Clears the plane and draws one object after the other. `outlines` and `samples` run as the casters among
+/// What COVER says of them: one sample for each sheet in each pixel, farthest first. Depends on the plane and
+/// the depth's bits alone.
+std::vector<golden::slb::CoverSample> cover_samples(const SlbPlan& plan,
+                                                    std::span<const SheetSample> samples);
+
+/// Clears the plane and draws one object after the other. `outlines` and `sheets` run as the casters among
 /// the objects, in order.
 void draw_casters(golden::StreamWriter& writer, const SlbPlan& plan,
                   std::span<const outline::ObjectOutline> outlines,
-                  std::span<const std::vector<SheetSample>> samples);
+                  std::span<const std::vector<golden::slb::CoverSample>> sheets);
 
 /// One query for each receiver that faces the light.
 void ask_receivers(golden::StreamWriter& writer, const SlbPlan& plan, std::span<const Receiver> receivers);

@@ -19,13 +19,16 @@
 namespace gnomon::sweep {
 namespace {
 
-constexpr std::array<Figure, 10> kPlotted{{
+constexpr std::array<Figure, 13> kPlotted{{
     {"errors.fixed.boundary_displacement", "border displaced by, plane entries"},
     {"errors.fixed.border_voxels", "border displaced by, voxels"},
+    {"errors.fixed.ground.boundary_displacement", "border on the ground displaced by, plane entries"},
     {"errors.fixed.all.share", "mislabelled voxels, share"},
     {"errors.fixed.unambiguous.share", "mislabelled unambiguous voxels, share"},
-    {"run_time.cycles", "cycles"},
-    {"memory.hardware_bits", "memory, bits"},
+    {"model.cycles", "cycles, predicted"},
+    {"rtl.cycles", "cycles of the hardware"},
+    {"memory.format_bits", "memory, bits of the formats"},
+    {"memory.hardware_bits", "memory, bits as stored"},
     {"seconds.golden", "golden engine, wall seconds"},
     {"seconds.rtl", "rtl engine, wall seconds"},
     {"seconds.software", "software technique, wall seconds"},
@@ -57,12 +60,13 @@ std::string line_of(const std::vector<std::string>& cells) {
   return line;
 }
 
-/// Error and memory; not a number where the row has no such figure.
+/// Error and memory; not a number where the row has no such figure or failed.
 std::vector<double> objectives_of(const Row& row) {
   std::vector<double> values;
-  for (const char* name : {"errors.fixed.border_voxels", "memory.hardware_bits"}) {
+  for (const char* name : {"errors.fixed.border_voxels", "memory.format_bits"}) {
     const auto figure = row.figures.find(name);
-    values.push_back(figure == row.figures.end() ? std::numeric_limits<double>::quiet_NaN() : figure->second);
+    const bool known = !row.failed() && figure != row.figures.end();
+    values.push_back(known ? figure->second : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }
@@ -102,6 +106,12 @@ std::vector<Varied> varied_parameters(const std::vector<Row>& rows) {
     varied.push_back(std::move(one));
   }
   return varied;
+}
+
+bool is_published(const Row& row) {
+  const std::string f = parameter_text(row, "frac_bits");
+  return (f == "4" || f == "7") && parameter_text(row, "slope_bits") == f &&
+         parameter_text(row, "technique").starts_with("slb");
 }
 
 std::vector<bool> on_front(const std::vector<Row>& rows) {

@@ -31,6 +31,9 @@ std::vector<Varied> varied_parameters(const std::vector<Row>& rows);
 /// The value of a parameter in a row's configuration, as it would be written after --set.
 std::string parameter_text(const Row& row, const std::string& key);
 
+/// The published encodings: technique slb with 4 or 7 bits for both fraction and slope.
+bool is_published(const Row& row);
+
 /// For each row, whether it is on its scene's front of border displacement (voxels) and memory bits.
 std::vector<bool> on_front(const std::vector<Row>& rows);
 

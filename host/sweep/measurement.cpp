@@ -2,6 +2,7 @@
 // From the figures of a run to those of a point.
 #include "host/sweep/measurement.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -21,6 +22,11 @@ bool measures_time(const std::string& name) {
          name == "software.build_seconds" || name == "software.seconds" || name == "voxels.seconds" ||
          name == "voxels.mvoxels_per_second";
 }
+
+/// What a run counts of its whole stream, error samples and pictures included, or reads back.
+constexpr std::array<std::string_view, 8> kOfWholeRuns{
+    "events.COMMANDS",     "events.SLB_QUERIES", "slb.queries",    "slb.full_pixels",
+    "slb.overflow_pixels", "memory.command_",    "memory.result_", "host.run_time"};
 
 void flatten(const Json& part, const std::string& name, std::map<std::string, double>& figures) {
   if (part.is_object()) {
@@ -67,6 +73,13 @@ Measurement measurement_of(const Json& metrics) {
       measured.labels.emplace(label, metrics.at(label).get<std::string>());
   }
   return measured;
+}
+
+void drop_unasked(Measurement& measured) {
+  std::erase_if(measured.figures, [](const auto& figure) {
+    return std::ranges::any_of(kOfWholeRuns,
+                               [&](std::string_view prefix) { return figure.first.starts_with(prefix); });
+  });
 }
 
 }  // namespace gnomon::sweep

@@ -16,4 +16,8 @@ struct Measurement {
 /// From what metrics.json holds: every number by its path, wall times under "seconds." and "host.".
 Measurement measurement_of(const nlohmann::ordered_json& metrics);
 
+/// Of a point measured by shared work: takes out what counts commands and questions of a run, and what is
+/// read back from the plane.
+void drop_unasked(Measurement& measured);
+
 }  // namespace gnomon::sweep

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "host/report/page_assets.hpp"
+#include "host/sweep/confirm.hpp"
 #include "host/sweep/figures.hpp"
 #include "host/sweep/page_assets.hpp"
 
@@ -18,12 +19,6 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 using Json = nlohmann::ordered_json;
-
-/// The published encodings: one F and S for both, two lines a pixel of each object.
-bool is_published(const Row& row) {
-  const std::string f = parameter_text(row, "frac_bits"), s = parameter_text(row, "slope_bits");
-  return parameter_text(row, "technique").starts_with("slb") && f == s && (f == "4" || f == "7");
-}
 
 /// Figures that at least one point has.
 std::vector<Figure> present_figures(const std::vector<Row>& rows) {
@@ -41,6 +36,8 @@ Json point_of(const Row& row, const std::vector<Varied>& varied, const std::vect
   point["configuration"] = Json::object();
   for (const Varied& parameter : varied)
     point["configuration"][parameter.key] = parameter_text(row, parameter.key);
+  if (const auto label = row.labels.find(std::string(kConfirmLabel)); label != row.labels.end())
+    point["confirmed"] = label->second;
   point["figures"] = Json::object();
   for (const Figure& figure : figures) {
     const auto value = row.figures.find(std::string(figure.name));
@@ -63,7 +60,7 @@ Json data_of(const std::vector<Row>& done) {
   const std::vector<Figure> figures = present_figures(done);
   Json data = {{"points", Json::array()}, {"figures", Json::array()}, {"axes", Json::array()}};
   data["y"] = choose(figures, {"errors.fixed.border_voxels", "errors.fixed.boundary_displacement"}, 0);
-  data["x"] = choose(figures, {"memory.hardware_bits", "run_time.cycles"}, 1);
+  data["x"] = choose(figures, {"memory.format_bits", "memory.hardware_bits", "model.cycles"}, 1);
   for (const Figure& figure : figures)
     data["figures"].push_back({{"name", figure.name}, {"label", figure.label}});
   for (const Varied& parameter : varied)
@@ -75,6 +72,34 @@ Json data_of(const std::vector<Row>& done) {
   }
   data["scenes"] = scenes;
   return data;
+}
+
+std::string cell(const Row& row, const std::string& figure) {
+  const auto value = row.figures.find(figure);
+  return value == row.figures.end() ? "–" : fmt::format("{:.10g}", value->second);
+}
+
+/// A line for each point that was run on the hardware too, flagged ones first.
+mustache::data confirmed_rows(const std::vector<Row>& done) {
+  mustache::data lines(mustache::data::type::list);
+  for (const bool flagged : {true, false}) {
+    for (const Row& row : done) {
+      const auto label = row.labels.find(std::string(kConfirmLabel));
+      if (label == row.labels.end() || (label->second != kAgrees) != flagged) continue;
+      mustache::data line(mustache::data::type::object);
+      line.set("flags", row.flags);
+      line.set("verdict", label->second);
+      line.set("flagged", flagged);
+      line.set("model", cell(row, "model.cycles"));
+      line.set("rtl", cell(row, "rtl.cycles"));
+      const auto error = row.figures.find("confirm.cycle_error");
+      line.set("error", error == row.figures.end() ? "–" : fmt::format("{:.4f} %", 100 * error->second));
+      line.set("words", cell(row, "confirm.words"));
+      line.set("differing", cell(row, "confirm.differing"));
+      lines << line;
+    }
+  }
+  return lines;
 }
 
 /// JSON that can stand in a script element: nothing in it ends the element.
@@ -110,6 +135,9 @@ std::string sweep_page(const std::string& title, const std::vector<Row>& rows) {
   view.set("data", embedded(data_of(done)));
   view.set("plot_script", std::string(page_uPlot_iife_min_js()));
   view.set("script", std::string(page_js()));
+  const mustache::data confirmed = confirmed_rows(done);
+  view.set("any_confirmed", confirmed.is_non_empty_list());
+  view.set("confirmed", confirmed);
   view.set("failed", failed);
   view.set("failures", failures);
   mustache::mustache page{std::string(page_html())};

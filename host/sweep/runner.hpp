@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures the points of a sweep, with what they share made once. Theory: docs/sweep.md.
+// Measures the points of a sweep, group by group, and confirms some of them. Theory: docs/sweep.md.
 #pragma once
 
-#include <atomic>
-#include <filesystem>
 #include <functional>
-#include <string>
 #include <vector>
 
-#include "host/base/result.hpp"
-#include "host/pipeline/run.hpp"
-#include "host/sweep/points.hpp"
+#include "host/sweep/shared_scene.hpp"
 #include "host/sweep/store.hpp"
+#include "host/sweep/task.hpp"
 
 namespace gnomon::sweep {
 
-/// A point that is to be measured.
-struct Task {
-  Point point;
-  std::string key;
-  std::filesystem::path scene;
-};
-
 struct RunnerOptions {
   unsigned jobs = 0;  ///< points at a time; 0: one a core
-  pipeline::EngineKind engine = pipeline::EngineKind::Golden;
-  std::function<Result<scene::Scene>(const std::filesystem::path&, const config::Settings&)> load;
-  std::function<pipeline::RunSettings(const config::Settings&)> settings;
+  TaskOptions task;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< may be empty; one thread at a time
-  const std::atomic<bool>* abort = nullptr;                         ///< not owned
 };
 
 struct RunnerCounts {
@@ -37,14 +23,11 @@ struct RunnerCounts {
   bool interrupted = false;
 };
 
-/// Every task becomes a row, done or failed, as soon as it is measured. Points that differ in their
-/// technique's parameters alone share surfaces, voxels and exact shadows.
+/// Every task becomes a row, done or failed, as soon as it is measured.
 RunnerCounts run_tasks(const std::vector<Task>& tasks, Store& store, const RunnerOptions& options);
 
-/// UTC, ISO 8601.
-std::string now();
-
-/// True for parameters that a technique alone looks at: what is not shared between points.
-bool of_technique(std::string_view key);
+/// Runs points that the store holds on the rtl engine too, and adds what came out to their rows. Counted as
+/// failed: points that could not be run, and those that are flagged (confirm.hpp).
+RunnerCounts confirm_tasks(const std::vector<Task>& tasks, Store& store, const RunnerOptions& options);
 
 }  // namespace gnomon::sweep

@@ -65,6 +65,8 @@ Result<Store> Store::connect(const std::filesystem::path& path, int flags) {
   if (code != SQLITE_OK)
     return fail(fmt::format("{}: error: cannot be opened: {}", path.string(), sqlite3_errstr(code)));
   sqlite3_busy_timeout(opened, kBusyMilliseconds);
+  // Whole after a crash of the program at any moment, and after one of the machine but for the last points.
+  execute(opened, "PRAGMA synchronous = NORMAL");
   return Store(std::move(database));
 }
 
@@ -147,18 +149,31 @@ void Store::insert(const Row& row) {
       .bind(6, row.error)
       .bind(7, row.finished)
       .step();
-  const sqlite3_int64 id = sqlite3_last_insert_rowid(database);
-  Statement figure(database, "INSERT INTO figure VALUES (?, ?, ?)");
-  for (const auto& [name, value] : row.figures) {
+  insert_figures(sqlite3_last_insert_rowid(database), row.figures, row.labels);
+}
+
+void Store::insert_figures(std::int64_t id, const std::map<std::string, double>& figures,
+                           const std::map<std::string, std::string>& labels) {
+  Statement figure(database_.get(), "INSERT OR REPLACE INTO figure VALUES (?, ?, ?)");
+  for (const auto& [name, value] : figures) {
     if (!std::isfinite(value)) continue;  // SQLite has no such number
-    figure.bind(1, id).bind(2, name).bind(3, value).step();
+    figure.bind(1, sqlite3_int64{id}).bind(2, name).bind(3, value).step();
     figure.reset();
   }
-  Statement label(database, "INSERT INTO label VALUES (?, ?, ?)");
-  for (const auto& [name, text] : row.labels) {
-    label.bind(1, id).bind(2, name).bind(3, text).step();
+  Statement label(database_.get(), "INSERT OR REPLACE INTO label VALUES (?, ?, ?)");
+  for (const auto& [name, text] : labels) {
+    label.bind(1, sqlite3_int64{id}).bind(2, name).bind(3, text).step();
     label.reset();
   }
+}
+
+void Store::amend(const std::string& key, const std::map<std::string, double>& figures,
+                  const std::map<std::string, std::string>& labels) {
+  Transaction transaction(database_.get());
+  Statement point(database_.get(), "SELECT id FROM point WHERE key = ?");
+  if (!point.bind(1, key).step()) throw std::logic_error("a point that is not there is amended");
+  insert_figures(point.integer(0), figures, labels);
+  transaction.commit();
 }
 
 void Store::put(const Row& row) {

@@ -53,6 +53,9 @@ class Store {
   std::map<std::string, bool> keys() const;
   /// One transaction; replaces a point of the same key. Figures that are not finite are left out.
   void put(const Row& row);
+  /// Adds to a point that is there, or replaces what it has of these names. One transaction.
+  void amend(const std::string& key, const std::map<std::string, double>& figures,
+             const std::map<std::string, std::string>& labels);
   /// By id: the order in which they were put.
   std::vector<Row> rows() const;
   SweepRecord sweep() const;
@@ -70,6 +73,8 @@ class Store {
   bool is_ours() const;
   void create(const SweepRecord& sweep);
   void insert(const Row& row);
+  void insert_figures(std::int64_t id, const std::map<std::string, double>& figures,
+                      const std::map<std::string, std::string>& labels);
 
   std::unique_ptr<sqlite3, Close> database_;
 };

@@ -3,10 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "host/sweep/figures.hpp"
+#include "host/sweep/measurement.hpp"
+#include "host/sweep/store.hpp"
 #include "tests/cli/run_gnomon.hpp"
 #include "tests/host/scene/files.hpp"
 
@@ -66,6 +74,34 @@ class SweepTest : public testing::Test {
     sqlite3_close(database);
     return text;
   }
+  /// Of the point with these settings, "key=value" each.
+  std::map<std::string, double> figures_of(const std::string& output,
+                                           const std::vector<std::string>& settings) const {
+    const auto store = sweep::Store::open_existing(directory_.path() / output / "results.sqlite");
+    EXPECT_TRUE(store);
+    for (const sweep::Row& row : store->rows()) {
+      const bool same = std::ranges::all_of(settings, [&](const std::string& setting) {
+        const std::size_t equals = setting.find('=');
+        return sweep::parameter_text(row, setting.substr(0, equals)) == setting.substr(equals + 1);
+      });
+      if (same) return row.figures;
+    }
+    return {};
+  }
+  /// How many points a file holds so far; 0 if it is not there yet.
+  static int rows_of(const fs::path& file) {
+    sqlite3* database = nullptr;
+    int count = 0;
+    if (sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) {
+      const auto take = [](void* to, int, char** values, char**) {
+        *static_cast<int*>(to) = std::stoi(values[0]);
+        return 0;
+      };
+      sqlite3_exec(database, "SELECT count(*) FROM point", take, &count, nullptr);
+    }
+    sqlite3_close(database);
+    return count;
+  }
   test::TempDir directory_;
   fs::path spec_;
 };
@@ -86,28 +122,74 @@ TEST_F(SweepTest, MeasuresEveryPointAndSharesTheScene) {
   EXPECT_EQ(again.at("missing"), 0);
 }
 
+/// Every figure that a sweep has of a point, its short way's and a run's.
 TEST_F(SweepTest, IsTheSameAsARunOfThatPoint) {
-  figures("a");
-  const Outcome run =
-      run_gnomon({"run", (directory_.path() / "cube.obj").string(), "--engine", "golden", "-q", "--json",
-                  "-o", (directory_.path() / "run").string(), "--set", "technique=slb", "--set", "res=32",
-                  "--set", "plane=32", "--set", "frac_bits=5"});
-  ASSERT_EQ(run.status, 0) << run.err;
-  const double displacement =
-      nlohmann::json::parse(run.out).at("errors").at("fixed").at("boundary_displacement").get<double>();
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open((directory_.path() / "a" / "results.sqlite").c_str(), &database), SQLITE_OK);
-  double stored = -1;
-  const auto take = [](void* to, int, char** values, char**) {
-    *static_cast<double*>(to) = std::stod(values[0]);
-    return 0;
-  };
-  sqlite3_exec(database,
-               "SELECT displacement FROM results WHERE technique = 'slb' AND "
-               "json_extract(configuration, '$.frac_bits') = 5",
-               take, &stored, nullptr);
-  sqlite3_close(database);
-  EXPECT_NEAR(stored, displacement, 1e-12);
+  const std::vector<std::vector<std::string>> points{
+      {"technique=slb", "frac_bits=3", "slope_bits=9", "frags=1"},
+      {"technique=slb", "frac_bits=6", "slope_bits=3", "frags=4", "rounding=published", "query_bits=12"},
+      {"technique=slb", "frac_bits=8", "slope_bits=8", "frags=2", "subpixel_bits=16", "depth_bits=12"},
+      {"technique=voxel-offset"}};
+  std::string spec = "scenes = [\"cube.obj\"]\n[fixed]\nres = 32\nplane = 32\n";
+  for (const auto& point : points) {
+    spec += "[[list]]\n";
+    for (const std::string& setting : point) {
+      const auto [key, value] =
+          std::pair(setting.substr(0, setting.find('=')), setting.substr(setting.find('=') + 1));
+      const bool number = value.find_first_not_of("0123456789") == std::string::npos;
+      spec += key + " = " + (number ? value : '"' + value + '"') + "\n";
+    }
+  }
+  spec_ = directory_.write("points.toml", spec);
+  ASSERT_EQ(figures("a").at("measured"), points.size());
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<std::string> arguments{
+        "run", (directory_.path() / "cube.obj").string(), "--engine", "golden", "-q", "--json",
+        "-o",  (directory_.path() / "run").string()};
+    for (const std::string& setting : points[i]) arguments.insert(arguments.end(), {"--set", setting});
+    arguments.insert(arguments.end(), {"--set", "res=32", "--set", "plane=32"});
+    const Outcome run = run_gnomon(arguments);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const sweep::Measurement expected = sweep::measurement_of(nlohmann::ordered_json::parse(run.out));
+    const std::map<std::string, double> stored = figures_of("a", points[i]);
+    EXPECT_TRUE(stored.contains("errors.fixed.boundary_displacement"));
+    for (const auto& [name, value] : stored) {
+      if (name.starts_with("seconds.") || name.starts_with("host.") || name.starts_with("model.") ||
+          name == "memory.format_bits")
+        continue;
+      ASSERT_TRUE(expected.figures.contains(name)) << name;
+      EXPECT_EQ(value, expected.figures.at(name)) << name << " of point " << i;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 200U);
+}
+
+TEST_F(SweepTest, IsWholeAfterKill9AndGoesOn) {
+  spec_ = directory_.write(
+      "many.toml",
+      "scenes = [\"cube.obj\"]\n[fixed]\nres = 32\nplane = 32\ntechnique = \"slb\"\n[axes]\n"
+      "frac_bits = [3, 4, 5, 6, 7, 8]\nslope_bits = [3, 4, 5, 6, 7, 8, 9]\nfrags = [1, 2, 3, 4]\n");
+  ASSERT_EQ(figures("whole").at("measured"), 168);
+  const fs::path results = directory_.path() / "cut" / "results.sqlite";
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const std::string output = (directory_.path() / "cut").string();
+    execl(GNOMON_PROGRAM, GNOMON_PROGRAM, "sweep", spec_.c_str(), "-o", output.c_str(), "-q", "-j", "1",
+          nullptr);
+    _exit(126);
+  }
+  while (rows_of(results) < 5 && waitpid(child, nullptr, WNOHANG) == 0) usleep(500);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  const int kept = rows_of(results);
+  ASSERT_GE(kept, 5);
+  ASSERT_LT(kept, 168) << "it had ended before it was killed";
+  EXPECT_FALSE(fs::exists(directory_.path() / "cut" / "report.html"));
+  EXPECT_EQ(figures("cut").at("measured"), 168 - kept);
+  EXPECT_EQ(table("cut"), table("whole"));
+  EXPECT_GT(test::line_count(table("cut")), 168U * 30);
 }
 
 TEST_F(SweepTest, ShardsMergeToTheSameTable) {
@@ -152,6 +234,24 @@ TEST_F(SweepTest, AFailedPointIsARowAndDoesNotStopTheRest) {
   EXPECT_GT(counts.at("measured"), 0);
   EXPECT_EQ(figures("x").at("failed"), 0);
   EXPECT_EQ(figures("x", {"--retry"}).at("failed"), counts.at("failed"));
+}
+
+TEST_F(SweepTest, ConfirmsOnTheHardware) {
+  spec_ = directory_.write(
+      "one.toml", "scenes = [\"cube.obj\"]\n[fixed]\nres = 32\ntechnique = \"slb\"\n[axes]\nplane = [64]\n");
+  const nlohmann::json counts = figures("a", {"--confirm", "front", "--plots"});
+  EXPECT_EQ(counts.at("confirmed"), 1);
+  EXPECT_EQ(counts.at("flagged"), 0);
+  const std::map<std::string, double> stored = figures_of("a", {"plane=64"});
+  EXPECT_GT(stored.at("confirm.words"), 500);
+  EXPECT_EQ(stored.at("confirm.differing"), 0);
+  EXPECT_LE(stored.at("confirm.cycle_error"), 0.001);
+  EXPECT_GT(stored.at("rtl.cycles.DRAW"), 100);
+  EXPECT_EQ(figures("a", {"--confirm", "all"}).at("confirmed"), 0) << "it was confirmed already";
+  std::ifstream page(directory_.path() / "a" / "report.html");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  EXPECT_THAT(text, HasSubstr("Confirmed on the hardware"));
+  EXPECT_EQ(sweep("b", {"--confirm", "some"}).status, 2);
 }
 
 TEST_F(SweepTest, RefusesWhatItCannotUse) {

@@ -59,6 +59,7 @@
     const list = document.createElement("dl");
     for (const [k, v] of [...keys.map((k) => [k, point.configuration[k]]), ...data.figures.map((f) => [f.label, number(point.figures[f.name])])])
       list.append(cell("dt", k), cell("dd", v));
+    if (point.confirmed) list.append(cell("dt", "on the hardware"), cell("dd", point.confirmed));
     tip.append(list, cell("code", `gnomon run ${point.flags}`));
     tip.hidden = false;
     const box = tip.getBoundingClientRect();
@@ -204,7 +205,7 @@
   fill($("colour"), [["", "nothing"], ...keys.map((k) => [k, k])], keys.includes("technique") ? "technique" : keys[0] ?? "");
   const numeric = data.axes.filter((a) => a.values.length > 1 && a.values.every((v) => v !== "" && !Number.isNaN(+v))).map((a) => a.key);
   fill($("axis"), numeric.map((k) => [k, k]), numeric.includes("frac_bits") ? "frac_bits" : numeric[0]);
-  fill($("series"), [["", "nothing"], ...keys.map((k) => [k, k])], keys.includes("technique") ? "technique" : "");
+  fill($("series"), [["", "nothing"], ...keys.map((k) => [k, k])], ["technique", "slope_bits"].find((k) => keys.includes(k)) ?? "");
   $("filters").replaceChildren(...data.axes.map((axis) => {
     const set = document.createElement("fieldset");
     set.append(cell("legend", axis.key));

@@ -122,7 +122,8 @@ TEST_F(SlbPlanTest, EveryPixelInsideASheetHasASampleThatIsNotNearer) {
   const auto outlines = outline::outlines(std::span(surfaces_).first(1), made.frame());
   ASSERT_TRUE(outlines);
   golden::StreamWriter writer(made.config);
-  const std::vector<std::vector<SheetSample>> samples{sheet_samples(made, surfaces_[0], voxels_, 0, false)};
+  const std::vector<std::vector<golden::slb::CoverSample>> samples{
+      cover_samples(made, sheet_samples(made, surfaces_[0], voxels_, 0, false))};
   draw_casters(writer, made, *outlines, samples);
   std::vector<int> of_pixel(std::size_t{256} * 256);
   for (const golden::Word word : items(writer, SlbOp::Cover)) {
@@ -155,7 +156,7 @@ TEST_F(SlbPlanTest, VerticesAreRoundedNearestAndCastersUp) {
   outline.object = 7;
   const double ulp = std::ldexp(1.0, -s);
   outline.loops = {{{2 + 0.4 * ulp, 2, 10.25}, {5 + 0.6 * ulp, 2, 11}, {5, 6 - 0.6 * ulp, -3}}};
-  draw_casters(writer, made, std::span(&outline, 1), std::vector<std::vector<SheetSample>>(1));
+  draw_casters(writer, made, std::span(&outline, 1), std::vector<std::vector<golden::slb::CoverSample>>(1));
   const std::vector<golden::Word> vertices = items(writer, SlbOp::Loop);
   ASSERT_EQ(vertices.size(), 3u);
   const auto vertex = [&](std::size_t i) {

@@ -23,7 +23,7 @@ Row point(int f, double displacement) {
           "cup.toml --set frac_bits=" + std::to_string(f),
           "",
           "2026-01-01T00:00:00Z",
-          {{"errors.fixed.border_voxels", displacement}, {"memory.hardware_bits", 1000.0 * f}},
+          {{"errors.fixed.border_voxels", displacement}, {"memory.format_bits", 1000.0 * f}},
           {}};
 }
 
@@ -58,7 +58,7 @@ TEST(Csv, HasALineForEachDonePoint) {
   const std::string text = csv_table(rows());
   EXPECT_EQ(std::ranges::count(text, '\n'), 4);
   EXPECT_THAT(text,
-              HasSubstr("scene,front,frac_bits,errors.fixed.border_voxels,memory.hardware_bits,command\n"));
+              HasSubstr("scene,front,frac_bits,errors.fixed.border_voxels,memory.format_bits,command\n"));
   EXPECT_THAT(text, HasSubstr("cup.toml,1,3,0.08,3000,gnomon run cup.toml --set frac_bits=3\n"));
 }
 
@@ -80,7 +80,7 @@ TEST(Page, HoldsThePointsAndLoadsNothing) {
   EXPECT_THAT(page, HasSubstr("3 points measured, 1 failed"));
   EXPECT_THAT(page, HasSubstr(R"("flags":"cup.toml --set frac_bits=7","mark":true)"));
   EXPECT_THAT(page, HasSubstr(R"("flags":"cup.toml --set frac_bits=3","mark":false)"));
-  EXPECT_THAT(page, HasSubstr(R"("x":"memory.hardware_bits")"));
+  EXPECT_THAT(page, HasSubstr(R"("x":"memory.format_bits")"));
   EXPECT_THAT(page, HasSubstr("uPlot"));
   EXPECT_THAT(page, HasSubstr("&lt;b&gt;too wide&lt;/b&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
