@@ -259,7 +259,7 @@ struct RunRecord {
   std::vector<PassCycles> cycles;               ///< empty where the engine has no cycles
   /// By the cycle model (docs/cycle-model.md), "cycles.<PASS>.<CAUSE>"; empty without a command stream.
   std::map<std::string, std::uint64_t> predicted_cycles;
-  std::optional<SystemRecord> system;           ///< of the system engine
+  std::optional<SystemRecord> system;  ///< of the system engine
   ErrorsRecord errors;
   ExactRecord exact;
   PictureRecord picture;
