@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/golden_engine.hpp>
 
 #include "sim/interrupt.hpp"
@@ -66,6 +67,18 @@ TEST_F(WaveTest, ShowsWhatLedToTheFirstDifference) {
     shown = std::stoull(edge.value, nullptr, 2) == *wave.report->first->actual;
   }
   EXPECT_TRUE(shown) << "the word that differs is not on the port at its cycle";
+}
+
+TEST_F(WaveTest, FindsTheFirstCommandOfAKindAndItsCycle) {
+  std::vector<Word> stream{golden::encode(golden::Header{0, 0, 2, 0}), 0x0600000000000000,
+                           7};  // NOP with items
+  const std::vector<Word> fence = fences(0, 3);
+  stream.insert(stream.end(), fence.begin(), fence.end());
+  EXPECT_EQ(find_command(stream, "nop"), 0u);
+  EXPECT_EQ(find_command(stream, "Fence"), 3u) << "items are no headers";
+  EXPECT_EQ(find_command(stream, "QUERY"), std::nullopt);
+
+  EXPECT_EQ(cycle_of_header({}, {}, fences(0, 100), 60, cache_), 60u) << "a word a cycle";
 }
 
 TEST_F(WaveTest, WritesNothingWhereAllIsEqual) {

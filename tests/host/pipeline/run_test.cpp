@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <cmath>
 #include <gnomon/golden/golden_engine.hpp>
 #include <gnomon/golden/stream_io.hpp>
@@ -170,6 +171,25 @@ TEST_F(RunTest, ACounterThatDiffersFails) {
   ASSERT_TRUE(outcome) << outcome.error().message;
   EXPECT_EQ(outcome->exit_status(), 1);
   EXPECT_THAT(content("report.html"), HasSubstr("PLANE_WRITES"));
+}
+
+TEST_F(RunTest, AnInterruptionOfTheHardwareLeavesAPartialReport) {
+  RunRequest cut = request();
+  cut.make_rtl = nullptr;
+  cut.settings.res = 130;  // as below
+  cut.settings.vpu.plane_log2 = 9;
+  cut.settings.techniques = {"voxel-offset", "voxel-topology"};
+  std::atomic<bool> abort = false;
+  cut.abort = &abort;
+  cut.progress = [&](std::string_view stage, double) { abort = abort || stage == "rtl engine"; };
+  const auto outcome = run(cut);
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_TRUE(outcome->interrupted);
+  EXPECT_THAT(outcome->compare.partial, HasSubstr("interrupted at cycle"));
+  EXPECT_EQ(outcome->compare.differing, 0u);
+  EXPECT_THAT(metrics()["compare"]["verdict"].get<std::string>(), HasSubstr("partial, interrupted at cycle"));
+  EXPECT_EQ(metrics()["techniques"].size(), 0u) << "the second was not begun";
+  EXPECT_THAT(content("report.html"), HasSubstr("partial, interrupted at cycle"));
 }
 
 TEST_F(RunTest, TheHardwareAgreesWithGolden) {
