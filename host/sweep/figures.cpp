@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<Figure, 13> kPlotted{{
     {"errors.fixed.boundary_displacement", "border displaced by, plane entries"},
     {"errors.fixed.border_voxels", "border displaced by, voxels"},
-    {"errors.fixed.ground.boundary_displacement", "border on the ground displaced by, plane entries"},
+    {"errors.fixed.ground.boundary_displacement", "ground border displaced by, plane entries"},
     {"errors.fixed.all.share", "mislabelled voxels, share"},
     {"errors.fixed.unambiguous.share", "mislabelled unambiguous voxels, share"},
     {"model.cycles", "cycles, predicted"},

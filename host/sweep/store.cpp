@@ -26,7 +26,7 @@ CREATE VIEW results AS
   SELECT point.id, point.scene, json_extract(configuration, '$.technique') AS technique,
          max(CASE figure.name WHEN 'errors.fixed.boundary_displacement' THEN figure.value END) AS displacement,
          max(CASE figure.name WHEN 'errors.fixed.all.share' THEN figure.value END) AS mislabelled,
-         max(CASE figure.name WHEN 'run_time.cycles' THEN figure.value END) AS cycles,
+         max(CASE figure.name WHEN 'model.cycles' THEN figure.value END) AS cycles,
          max(CASE figure.name WHEN 'memory.hardware_bits' THEN figure.value END) AS memory_bits,
          point.configuration
   FROM point LEFT JOIN figure ON figure.point = point.id WHERE point.status = 'done' GROUP BY point.id;

@@ -178,9 +178,9 @@
       const sxx = pairs.reduce((s, p) => s + p[0] ** 2, 0), sxy = pairs.reduce((s, p) => s + p[0] * p[1], 0);
       return n > 1 ? (n * sxy - sx * sy) / (n * sxx - sx * sx) : null;
     });
-    const theory = axis === "frac_bits" && xs.length > 1 ? xs.map((v) => mean(columns.map((c) => c[0]).filter((c) => c)) * 2 ** -(v - xs[0])) : null;
+    const theory = axis === "frac_bits" && xs.length > 1 ? xs.map((v) => mean(columns.map((c) => c[0]).filter((c) => c)) * 2 ** -(v - xs[0])).map((e) => (e < Math.min(...values) / 2 ? null : e)) : null;
     plots.push(new uPlot({
-      width: box.clientWidth - 16, height: 320, scales: { x: { time: false }, y: Math.min(...values) > 0 ? { distr: 3 } : {} }, axes: [{ ...axisStyle(axis), ...(xs.every(Number.isInteger) ? { incrs: [1, 2, 5, 10, 20, 50, 100] } : {}) }, { ...axisStyle(labels[y]), size: 90, space: 30 }],
+      width: box.clientWidth - 16, height: 320, scales: { x: { time: false }, y: { distr: 3, range: () => [Math.min(...values) / 1.5, Math.max(...values) * 1.2] } }, axes: [{ ...axisStyle(axis), ...(xs.every(Number.isInteger) ? { incrs: [1, 2, 5, 10, 20, 50, 100] } : {}) }, { ...axisStyle(labels[y]), size: 90, space: 30 }],
       series: [{ label: axis }, ...curves.map((c, i) => ({ label: by ? `${by} ${c}` : "mean", stroke: palette[i % palette.length], points: { show: true }, value: (u, v) => (v == null ? "–" : number(v)) })),
         ...(theory ? [{ label: "halved with each bit", stroke: "#888", dash: [6, 6], value: (u, v) => (v == null ? "–" : number(v)) }] : [])],
     }, [xs, ...columns, ...(theory ? [theory] : [])], box));
@@ -195,13 +195,14 @@
     const points = visible(), front = frontOf(points, x, y);
     scatter(points, front, x, y);
     frontTable(front, x, y);
-    growth(points, y);
+    growth(points, $("error").value);
     $("count").textContent = `${points.length} of ${data.points.filter((p) => p.scene === $("scene").value).length} points shown, ${front.length} on the front${data.points.some((p) => p.mark) ? "; ringed: the published encodings" : ""}`;
   };
 
   fill($("scene"), data.scenes.map((s) => [s, s]));
   fill($("x"), data.figures.map((f) => [f.name, f.label]), data.x);
   fill($("y"), data.figures.map((f) => [f.name, f.label]), data.y);
+  fill($("error"), data.figures.filter((f) => f.name.startsWith("errors.")).map((f) => [f.name, f.label]), ["errors.fixed.ground.boundary_displacement", data.y].find((n) => labels[n]));
   fill($("colour"), [["", "nothing"], ...keys.map((k) => [k, k])], keys.includes("technique") ? "technique" : keys[0] ?? "");
   const numeric = data.axes.filter((a) => a.values.length > 1 && a.values.every((v) => v !== "" && !Number.isNaN(+v))).map((a) => a.key);
   fill($("axis"), numeric.map((k) => [k, k]), numeric.includes("frac_bits") ? "frac_bits" : numeric[0]);
@@ -224,7 +225,7 @@
     }
     return set;
   }));
-  for (const id of ["scene", "x", "y", "colour", "dominated", "axis", "series"]) $(id).addEventListener("change", draw);
+  for (const id of ["scene", "x", "y", "colour", "dominated", "error", "axis", "series"]) $(id).addEventListener("change", draw);
   let resized = 0;
   addEventListener("resize", () => { clearTimeout(resized); resized = setTimeout(draw, 150); });
   draw();
