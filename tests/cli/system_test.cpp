@@ -161,5 +161,20 @@ TEST_F(SystemTest, WritesWaveformsOfTriggers) {
   EXPECT_FALSE(fs::exists(directory_.path() / "none.fst"));
 }
 
+TEST_F(SystemTest, RunsAndVerifiesWithWaveforms) {
+  const fs::path window = directory_.path() / "window.fst", fault = directory_.path() / "fault.fst";
+  run({"--trace", window.string(), "--trace-from", "50", "--trace-to", "90"});
+  EXPECT_GT(fs::file_size(window), 1000U);
+  EXPECT_EQ(gnomon({"verify"}, {"--trace", fault.string()}).status, 0);
+  EXPECT_FALSE(fs::exists(fault)) << "no difference, no waveform";
+  const Outcome faulty =
+      gnomon({"verify"}, {"--trace", fault.string(), "--define", "GNOMON_MUTATE_ROUND_DEPTH"});
+  EXPECT_EQ(faulty.status, 1) << faulty.err;
+  EXPECT_THAT(faulty.out, HasSubstr("fault.fst: cycles "));
+  EXPECT_GT(fs::file_size(fault), 1000U);
+  EXPECT_EQ(gnomon({"run"}, {"--trace", "w.vcd"}).status, 2);
+  EXPECT_EQ(gnomon({"run"}, {"--log-transactions", "b.jsonl"}).status, 2) << "there is no bus";
+}
+
 }  // namespace
 }  // namespace gnomon
