@@ -207,6 +207,7 @@ TEST_F(RunTest, TheHardwareAgreesWithGolden) {
   std::uint64_t sum = 0;
   for (const auto& [pass, row] : m["cycles"]["by_pass"].items()) sum += row["total"].get<std::uint64_t>();
   EXPECT_EQ(m["cycles"]["total"], sum);
+  EXPECT_EQ(m["cycles_predicted"]["off"], 0);
   EXPECT_LE(m["cycles"]["per_voxel"]["project"].get<double>(), 1.05);
   EXPECT_LE(m["cycles"]["per_voxel"]["resolve"].get<double>(), 1.05);
 }
