@@ -13,6 +13,7 @@
 #include "host/cli/progress.hpp"
 #include "host/cli/run_settings.hpp"
 #include "host/cli/scene_input.hpp"
+#include "host/cli/sweep_slurm.hpp"
 #include "host/cli/versions.hpp"
 #include "host/scene/scene_file.hpp"
 #include "host/sweep/figures.hpp"
@@ -106,17 +107,21 @@ class SweepCommand : public Command {
     CLI::Option* shard =
         command->add_option("--shard", shard_, "Measure every n-th point only, into a file of its own")
             ->type_name("I/N");
-    command->add_flag("--merge", merge_, "Take the files of all shards into the results, measure nothing")
-        ->excludes(shard);
-    command
-        ->add_option("--confirm", confirm_,
-                     "Run points on the rtl engine too and compare cycles and words: front, all, or how many")
-        ->type_name("WHICH")
-        ->excludes(shard);
+    CLI::Option* merge = command->add_flag("--merge", merge_,
+                                           "Take the files of all shards into the results, measure nothing");
+    merge->excludes(shard);
+    CLI::Option* confirm =
+        command
+            ->add_option(
+                "--confirm", confirm_,
+                "Run points on the rtl engine too and compare cycles and words: front, all, or how many")
+            ->type_name("WHICH")
+            ->excludes(shard);
     command->add_flag("--retry", retry_, "Measure points again that failed");
     command->add_flag("--extend", extend_, "Add to the results of another specification");
     command->add_flag("--plots", plots_, "Write every plot as SVG and PNG into the folder plots");
     command->add_flag("--json", json_, "Print how many points were measured as JSON");
+    slurm_.add_to(*command, {shard, merge, confirm});
     command->footer("Example:\n  gnomon sweep scenes/sweeps/widths.toml -o out/widths");
     return command;
   }
@@ -136,6 +141,7 @@ class SweepCommand : public Command {
     if (problem) return fail(fmt::format("{}: cannot be made: {}", output_.string(), problem.message()));
     auto store = sweep::Store::open(output_ / shard->file(), record_of(*spec), extend_);
     if (!store) return tl::make_unexpected(store.error());
+    if (slurm_.asked()) return slurm_.run(context, slurm_request(*all));
     if (merge_) {
       if (auto merged = merge(context, *store); !merged) return tl::make_unexpected(merged.error());
     }
@@ -145,6 +151,18 @@ class SweepCommand : public Command {
  private:
   static sweep::SweepRecord record_of(const sweep::Spec& spec) {
     return {spec.name, spec.text, versions().front().second, sweep::now()};
+  }
+
+  SlurmRequest slurm_request(const std::vector<sweep::Task>& all) const {
+    SlurmRequest request{spec_, output_, jobs_, {"--engine", engine_}, {}, {}};
+    if (retry_) request.shard_flags.emplace_back("--retry");
+    if (extend_) {
+      request.shard_flags.emplace_back("--extend");
+      request.merge_flags.emplace_back("--extend");
+    }
+    if (plots_) request.merge_flags.emplace_back("--plots");
+    for (const sweep::Task& task : all) request.keys.insert(task.key);
+    return request;
   }
 
   Result<void> merge(Context& context, sweep::Store& store) const {
@@ -276,6 +294,7 @@ class SweepCommand : public Command {
     fmt::print("{}\n", result.string());
   }
 
+  SweepSlurm slurm_;
   fs::path spec_, output_;
   unsigned jobs_ = 0;
   std::string engine_ = "golden", shard_, confirm_;
