@@ -2,10 +2,13 @@
 // gnomon verify: the hardware against golden, word for word.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <gnomon/golden/golden_engine.hpp>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "host/cli/baseline_check.hpp"
 #include "host/cli/junit.hpp"
 #include "host/cli/output_files.hpp"
 #include "host/cli/progress.hpp"
@@ -33,10 +36,18 @@ class VerifyCommand : public Command {
  public:
   CLI::App* add_to(CLI::App& program) override {
     CLI::App* command = program.add_subcommand("verify", "Compare the hardware with golden, word for word");
-    command->add_option("SCENE", scenes_, "OBJ control cages, or scene files")->required();
+    command->add_option("SCENE", scenes_,
+                        "OBJ control cages, or scene files; may be missing with --baseline");
     add_engine_option(*command, engine_);
     add_set_option(*command, set_);
     add_define_option(*command, defines_);
+    CLI::Option* baseline =
+        command
+            ->add_option(
+                "--baseline", baseline_,
+                "Compare cycles, errors and hashes of results with a file, too (docs/verification.md)")
+            ->type_name("FILE");
+    command->add_flag("--update", update_, "Measure the baseline and write it instead")->needs(baseline);
     command
         ->add_option("--trace", trace_,
                      "Where a comparison fails, write the waveform around the first difference; engine rtl")
@@ -49,8 +60,9 @@ class VerifyCommand : public Command {
     command->add_option("--junit", junit_, "Write the verdicts as JUnit XML, too")->type_name("FILE");
     command->add_flag("--json", json_, "Print the comparisons as JSON");
     command->footer(
-        "Exit status 1 if a word differs, or if none was compared.\n\nExample:\n  gnomon verify cup.obj "
-        "links.toml --set res=128");
+        "Exit status 1 if a word differs, or a figure of the baseline, or if none was "
+        "compared.\n\nExample:\n  "
+        "gnomon verify cup.obj links.toml --set res=128");
     return command;
   }
 
@@ -59,6 +71,8 @@ class VerifyCommand : public Command {
       if (Result<void> possible = check_output(junit_); !possible)
         return tl::make_unexpected(possible.error());
     }
+    if (!baseline_.empty()) return with_baseline(context);
+    if (scenes_.empty()) return fail("command line: error: SCENE is required");
     if (!trace_.empty() && engine_ != "rtl") return fail("--trace needs --engine rtl");
     std::vector<Verdict> verdicts;
     for (const fs::path& scene : scenes_) {
@@ -66,7 +80,11 @@ class VerifyCommand : public Command {
         return tl::make_unexpected(done.error());
     }
     if (context.interruption.requested() && verdicts.empty()) throw Interrupted();
-    if (Result<void> written = write_junit(verdicts); !written) return tl::make_unexpected(written.error());
+    std::vector<TestCase> cases;
+    cases.reserve(verdicts.size());
+    for (const Verdict& v : verdicts)
+      cases.push_back({v.name, v.seconds, v.report.passed() ? "" : sim::to_text(v.report)});
+    if (Result<void> written = write_junit(cases); !written) return tl::make_unexpected(written.error());
     if (json_) print_json(verdicts);
     if (context.interruption.requested()) return kInterrupted;
     const bool passed =
@@ -75,6 +93,19 @@ class VerifyCommand : public Command {
   }
 
  private:
+  Result<int> with_baseline(Context& context) const {
+    if (engine_ != "rtl")
+      return fail("command line: error: --baseline holds cycles of --engine rtl, not of " + engine_);
+    const Result<std::vector<BaselineVerdict>> verdicts =
+        check_baseline(context, {baseline_, scenes_, set_, defines_, update_, json_});
+    if (!verdicts) return tl::make_unexpected(verdicts.error());
+    std::vector<TestCase> cases;
+    std::ranges::transform(*verdicts, std::back_inserter(cases), test_case);
+    if (Result<void> written = write_junit(cases); !written) return tl::make_unexpected(written.error());
+    if (json_) fmt::print("{}\n", to_json(*verdicts).dump(2));
+    return std::ranges::all_of(*verdicts, &BaselineVerdict::passed) ? kDone : kComparisonFailed;
+  }
+
   Result<void> verify(Context& context, const fs::path& scene, std::vector<Verdict>& verdicts) const {
     const Result<LoadedScene> input = load_input(context, scene, set_);
     if (!input) return tl::make_unexpected(input.error());
@@ -151,13 +182,8 @@ class VerifyCommand : public Command {
     return text;
   }
 
-  Result<void> write_junit(const std::vector<Verdict>& verdicts) const {
+  Result<void> write_junit(const std::vector<TestCase>& cases) const {
     if (junit_.empty()) return {};
-    std::vector<TestCase> cases;
-    cases.reserve(verdicts.size());
-    for (const Verdict& v : verdicts) {
-      cases.push_back({v.name, v.seconds, v.report.passed() ? "" : sim::to_text(v.report)});
-    }
     OutputFiles files;
     Result<void> added = files.add(junit_, [&](const fs::path& temporary) {
       return write_bytes(temporary, junit_xml("gnomon verify", cases));
@@ -176,9 +202,9 @@ class VerifyCommand : public Command {
   std::vector<fs::path> scenes_;
   std::string engine_ = "rtl";
   std::vector<std::string> set_, defines_;
-  fs::path junit_, trace_;
+  fs::path junit_, baseline_, trace_;
+  bool update_ = false, json_ = false;
   std::uint64_t max_cycles_ = UINT64_MAX;
-  bool json_ = false;
 };
 
 }  // namespace
