@@ -45,7 +45,7 @@ template <class Model>
 class TopBench {
  public:
   static constexpr unsigned kBeatBytes = sizeof(Model::m_axi_rdata_i);
-  static constexpr std::size_t kMemoryBytes = 0x100000;
+  static constexpr std::size_t kMemoryBytes = 0x200000;
 
   explicit TopBench(std::uint32_t seed, const std::string& plusarg = {})
       : memory_(Rings{}.base, kMemoryBytes, kBeatBytes, seed ^ 0xBEEFu), random_(seed) {
