@@ -116,8 +116,8 @@ module gnomon_core #(
   );
 
   // ---- Where memories lie behind caches, each at a multiple of 4 KiB, and their caches' part of the line port ----
-  localparam int unsigned WANT     = $bits(cache_pkg::want_t);
-  localparam int unsigned GIVE     = $bits(cache_pkg::give_t);
+  localparam int unsigned WANT     = cache_pkg::WANT;
+  localparam int unsigned GIVE     = cache_pkg::GIVE;
   localparam int unsigned SLB_LINE = cache_pkg::region_lines(2 * PLANE_LOG2 - 4);
   localparam int unsigned FRAGMENT_BITS =
     slb_pkg::stored_fragment_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS);

@@ -46,6 +46,12 @@ package cache_pkg;
     logic [LINE-1:0]         data;
   } give_t;
 
+  // Bits of both: Yosys does not know $bits of a type in a package.
+  localparam int unsigned WANT = 2 + FILLS_LOG2 + VICTIMS_LOG2 + 2 * NUMBER + LINE;
+  localparam int unsigned WANT_READ  = WANT - 1;                        // where its valid bits are
+  localparam int unsigned WANT_WRITE = VICTIMS_LOG2 + NUMBER + LINE;
+  localparam int unsigned GIVE = 4 + FILLS_LOG2 + VICTIMS_LOG2 + LINE;
+
   // Events, each at most one a cycle, in the order of the counters.
   typedef struct packed {
     logic hit;         // a request hit

@@ -10,8 +10,8 @@ module cache_port #(
   input  logic                                         clk_i,
   input  logic                                         rst_ni,
   input  logic [63:12]                                 base_i,  // where line 0 lies
-  input  logic [CLIENTS*$bits(cache_pkg::want_t)-1:0]  want_i,
-  output logic [CLIENTS*$bits(cache_pkg::give_t)-1:0]  give_o,
+  input  logic [CLIENTS*cache_pkg::WANT-1:0]  want_i,
+  output logic [CLIENTS*cache_pkg::GIVE-1:0]  give_o,
   output logic                                         line_read_valid_o,
   input  logic                                         line_read_ready_i,
   output logic [63:6]                                  line_read_address_o,
@@ -30,8 +30,8 @@ module cache_port #(
   input  logic [2:0]                                   line_written_id_i
 );
 
-  localparam int unsigned WANT    = $bits(cache_pkg::want_t);
-  localparam int unsigned GIVE    = $bits(cache_pkg::give_t);
+  localparam int unsigned WANT    = cache_pkg::WANT;
+  localparam int unsigned GIVE    = cache_pkg::GIVE;
   localparam int unsigned WHO     = (CLIENTS <= 1) ? 1 : $clog2(CLIENTS);
   localparam int unsigned FILL    = cache_pkg::FILLS_LOG2;
   localparam int unsigned VICTIM  = cache_pkg::VICTIMS_LOG2;
@@ -79,26 +79,17 @@ module cache_port #(
   assign line_write_strobe_o = '1;
   assign line_data_ready_o   = 1'b1;
 
-  // ---- To the caches ----
+  // ---- To the caches: flat, because Yosys knows no structure inside a generate block ----
   for (genvar i = 0; i < CLIENTS; i++) begin : gen_clients
-    cache_pkg::want_t want;
-    cache_pkg::give_t give;
-    logic             unused_want;
-    assign want               = want_i[i*WANT+:WANT];
-    assign reads[i]           = want.read_valid;
-    assign writes[i]          = want.write_valid;
-    assign give.read_ready    = read_take && reader == WHO'(i);
-    assign give.write_ready   = write_take && writer == WHO'(i);
-    assign give.data_valid    = line_data_valid_i && data_owner == WHO'(i);
-    assign give.data_id       = data_id;
-    assign give.written_valid = line_written_valid_i && written_owner == WHO'(i);
-    assign give.written_id    = written_id;
-    assign give.data          = line_data_data_i;
-    assign give_o[i*GIVE+:GIVE] = give;
-    assign unused_want        = ^want;
+    assign reads[i]  = want_i[i*WANT+cache_pkg::WANT_READ];
+    assign writes[i] = want_i[i*WANT+cache_pkg::WANT_WRITE];
+    assign give_o[i*GIVE+:GIVE] = {
+      read_take && reader == WHO'(i), write_take && writer == WHO'(i), line_data_valid_i && data_owner == WHO'(i), data_id,
+      line_written_valid_i && written_owner == WHO'(i), written_id, line_data_data_i
+    };
   end
   logic unused_wants;
-  assign unused_wants = ^{read_want, write_want};
+  assign unused_wants = ^{read_want, write_want, want_i};
 
   `GNOMON_ASSERT_STREAM(a_read_stable, line_read_valid_o, line_read_ready_i, {line_read_address_o, line_read_id_o})
   `GNOMON_ASSERT_STREAM(a_write_stable, line_write_valid_o, line_write_ready_i,

@@ -64,8 +64,8 @@ module slb_plane_cache #(
   output logic [INDEX_BITS-SLOT_BITS-1:0] scrub_line_o,
   output logic                        idle_o,
   // Line port: lanes, then fragments in the upper half.
-  output logic [2*$bits(cache_pkg::want_t)-1:0]   want_o,
-  input  logic [2*$bits(cache_pkg::give_t)-1:0]   give_i,
+  output logic [2*cache_pkg::WANT-1:0]   want_o,
+  input  logic [2*cache_pkg::GIVE-1:0]   give_i,
   output logic [2*cache_pkg::EVENTS-1:0]          events_o
 );
 

@@ -66,8 +66,8 @@ module topology_caches #(
   output logic [RECORD-1:0]     record_o,
   output logic [RECORD_TAG-1:0] record_tag_o,
   // Line port: heads, nodes, records, the heads lowest.
-  output logic [3*$bits(cache_pkg::want_t)-1:0] want_o,
-  input  logic [3*$bits(cache_pkg::give_t)-1:0] give_i,
+  output logic [3*cache_pkg::WANT-1:0] want_o,
+  input  logic [3*cache_pkg::GIVE-1:0] give_i,
   output logic [3*cache_pkg::EVENTS-1:0]        events_o
 );
 

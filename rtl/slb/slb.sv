@@ -39,8 +39,8 @@ module slb #(
   output logic                    wait_o,          // a memory holds something back
   output gnomon_pkg::slb_events_t events_o,
   // Line port of the caches: lanes, then fragments in the upper half.
-  output logic [2*$bits(cache_pkg::want_t)-1:0] cache_want_o,
-  input  logic [2*$bits(cache_pkg::give_t)-1:0] cache_give_i,
+  output logic [2*cache_pkg::WANT-1:0] cache_want_o,
+  input  logic [2*cache_pkg::GIVE-1:0] cache_give_i,
   output logic [2*cache_pkg::EVENTS-1:0]        cache_events_o
 );
 

@@ -63,8 +63,8 @@ module topology #(
   output logic                                       outside_cone_o,
   output topology_pkg::topology_events_t             events_o,
   // Line port of the caches: heads, nodes, quad records, the heads lowest.
-  output logic [3*$bits(cache_pkg::want_t)-1:0]      cache_want_o,
-  input  logic [3*$bits(cache_pkg::give_t)-1:0]      cache_give_i,
+  output logic [3*cache_pkg::WANT-1:0]      cache_want_o,
+  input  logic [3*cache_pkg::GIVE-1:0]      cache_give_i,
   output logic [3*cache_pkg::EVENTS-1:0]             cache_events_o
 );
 

@@ -63,7 +63,7 @@ module topology_bench #(
     .depth_moved_o(moved_depth), .slopes_o(slopes), .item_delta_max_o(moved_delta_max)
   );
   // Memories on chip here.
-  logic [3*$bits(cache_pkg::want_t)-1:0] cache_want;
+  logic [3*cache_pkg::WANT-1:0] cache_want;
   logic [3*cache_pkg::EVENTS-1:0]        cache_events;
   logic                                  unused_cache;
   assign unused_cache = ^{cache_want, cache_events};
