@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges walked in steps that no pixel escapes by more than its neighbour.
+// Edges walked in steps so short that no pixel escapes.
 #include "host/pipeline/slb_touched.hpp"
 
 #include <algorithm>
@@ -9,7 +9,21 @@
 namespace gnomon::pipeline {
 namespace {
 
-constexpr double kStep = 0.5;  // pixels
+// Pixels. Vertices are moved by less than 0.012 (half a sub-pixel of 2^-6 each way), points between steps are
+// half a step away.
+constexpr double kStep = 0.125;
+constexpr double kMargin = 0.2;
+constexpr double kCountStep = 0.5;
+
+template <class Visit>
+void walk(const outline::Vertex& from, const outline::Vertex& to, double step, Visit visit) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    visit(from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t);
+  }
+}
 
 }  // namespace
 
@@ -19,31 +33,33 @@ SlbTouched::SlbTouched(std::span<const outline::ObjectOutline> outlines, int sid
   for (const outline::ObjectOutline& outline : outlines) {
     steps_.assign(cells, 0);  // winding numbers are an object's own
     for (const outline::Loop& loop : outline.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i) walk(loop[i], loop[(i + 1) % loop.size()]);
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const outline::Vertex &from = loop[i], &to = loop[(i + 1) % loop.size()];
+        walk(from, to, kCountStep, [this](double x, double y) { count(x, y); });
+        walk(from, to, kStep, [this](double x, double y) { mark(x, y); });
+      }
     crowded_ = crowded_ || most_steps_around() > golden::slb::kWindingMax;
   }
   steps_ = {};
 }
 
-void SlbTouched::walk(const outline::Vertex& from, const outline::Vertex& to) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep)));
-  for (int i = 0; i <= steps; ++i) {
-    const double t = static_cast<double>(i) / steps;
-    mark(from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t);
-  }
+/// What lies beyond the plane to the left still winds around it; it is counted in the column beside it.
+void SlbTouched::count(double x, double y) {
+  const double column = std::max(std::floor(x), -1.0), row = std::floor(y);
+  if (column > side_ || row < -1 || row > side_) return;
+  ++steps_[index(static_cast<int>(column), static_cast<int>(row))];
 }
 
 void SlbTouched::mark(double x, double y) {
-  const double column = std::floor(x), row = std::floor(y);
-  // What lies beyond the plane to the left still winds around it; it is counted in the column beside it.
-  if (column > side_ || row < -1 || row > side_) return;
-  const int stride = side_ + 2;
-  const int at_x = static_cast<int>(std::max(column, -1.0)) + 1, at_y = static_cast<int>(row) + 1;
-  ++steps_[static_cast<std::size_t>(at_y * stride + at_x)];
-  for (int y1 = std::max(at_y - 1, 0); y1 <= std::min(at_y + 1, stride - 1); ++y1)
-    for (int x1 = std::max(at_x - 1, 0); x1 <= std::min(at_x + 1, stride - 1); ++x1)
-      touched_[static_cast<std::size_t>(y1 * stride + x1)] = 1;
+  if (std::min(x, y) < -0.5 || std::max(x, y) > side_ + 0.5) return;
+  for (const double column : {std::floor(x - kMargin), std::floor(x + kMargin)})
+    for (const double row : {std::floor(y - kMargin), std::floor(y + kMargin)})
+      touched_[index(static_cast<int>(column), static_cast<int>(row))] = 1;
+}
+
+std::size_t SlbTouched::index(int column, int row) const {
+  return static_cast<std::size_t>(row + 1) * static_cast<std::size_t>(side_ + 2) +
+         static_cast<std::size_t>(column + 1);
 }
 
 /// Every crossing of a pixel's border has a step in the pixel or beside it.
@@ -63,8 +79,7 @@ std::uint32_t SlbTouched::most_steps_around() const {
 bool SlbTouched::at(const Vec2& pixel) const {
   const double column = std::floor(pixel.x), row = std::floor(pixel.y);
   if (std::min(column, row) < 0 || std::max(column, row) >= side_) return false;
-  const auto index = (static_cast<int>(row) + 1) * (side_ + 2) + static_cast<int>(column) + 1;
-  return touched_[static_cast<std::size_t>(index)] != 0;
+  return touched_[index(static_cast<int>(column), static_cast<int>(row))] != 0;
 }
 
 }  // namespace gnomon::pipeline

@@ -12,8 +12,7 @@
 
 namespace gnomon::pipeline {
 
-/// The pixels that outlines pass through, with their neighbours: vertices are rounded by less than half a
-/// pixel.
+/// The pixels that outlines pass through or come near, as vertices are rounded.
 class SlbTouched {
  public:
   /// `side`: pixels of the plane.
@@ -26,8 +25,9 @@ class SlbTouched {
   bool crowded() const { return crowded_; }
 
  private:
-  void walk(const outline::Vertex& from, const outline::Vertex& to);
+  void count(double x, double y);
   void mark(double x, double y);
+  std::size_t index(int column, int row) const;
   std::uint32_t most_steps_around() const;
 
   int side_;
