@@ -2,10 +2,14 @@
 // Prints the table of docs/vpu-topology.md, "Five lights": light_table RES MODEL.obj...
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <gnomon/golden/golden_engine.hpp>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "host/metrics/shadow_truth.hpp"
 #include "host/plan/topology_double.hpp"
