@@ -32,6 +32,18 @@ golden::Counters read_counters(const golden::HardwareConfig& config,
   return counters;
 }
 
+std::map<std::string, std::uint64_t> read_cache_counters(
+    const std::function<std::uint64_t(std::uint32_t index)>& counter) {
+  std::map<std::string, std::uint64_t> counters;
+  for (std::size_t memory = 0; memory < kCacheMemoryNames.size(); ++memory) {
+    const auto value = [&](CacheEvent event) { return counter(cache_counter_index(memory, event)); };
+    if (value(CacheEvent::Hits) + value(CacheEvent::Misses) == 0) continue;
+    for (std::size_t event = 0; event < kCacheEventNames.size(); ++event)
+      counters[cache_counter_name(memory, event)] = value(static_cast<CacheEvent>(event));
+  }
+  return counters;
+}
+
 golden::Counters operator-(golden::Counters now, const golden::Counters& before) {
   for (const auto& [name, count] : before.events) now.events[name] -= count;
   for (const auto& [name, count] : before.cycles) now.cycles[name] -= count;

@@ -6,6 +6,8 @@
 #include <functional>
 #include <gnomon/golden/config.hpp>
 #include <gnomon/golden/engine.hpp>
+#include <map>
+#include <string>
 
 namespace gnomon::sim {
 
@@ -13,6 +15,11 @@ namespace gnomon::sim {
 /// not asked for.
 golden::Counters read_counters(const golden::HardwareConfig& config,
                                const std::function<std::uint64_t(std::uint32_t index)>& counter);
+
+/// Those of the caches (docs/cache.md), by the names of sim/counter_names.hpp: of the memories that were
+/// used.
+std::map<std::string, std::uint64_t> read_cache_counters(
+    const std::function<std::uint64_t(std::uint32_t index)>& counter);
 
 /// What `now` has counted since `before`.
 golden::Counters operator-(golden::Counters now, const golden::Counters& before);

@@ -81,6 +81,7 @@ std::optional<report::SystemRecord> system_record(const sim::RtlEngine& engine) 
   record.firmware_bytes = system->firmware_bytes();
   record.log = system->system().log();
   record.jobs = system->jobs();
+  record.cache = system->cache_counters();
   return record;
 }
 

@@ -61,11 +61,9 @@ Json dram_json(const SystemRecord& system) {
 
 Json system_json(const std::optional<SystemRecord>& system) {
   if (!system) return nullptr;
-  return {{"inside", system->hardware},
-          {"cycles", system->statistics.cycles},
-          {"firmware", firmware_json(*system)},
-          {"bus", bus_json(*system)},
-          {"dram", dram_json(*system)}};
+  return {{"inside", system->hardware},         {"cycles", system->statistics.cycles},
+          {"firmware", firmware_json(*system)}, {"bus", bus_json(*system)},
+          {"dram", dram_json(*system)},         {"cache", Json(system->cache)}};
 }
 
 }  // namespace gnomon::report

@@ -27,6 +27,12 @@ Json dram_rows(const Json& d) {
        row("another row open", count(d.at("row_conflicts")))});
 }
 
+Json cache_rows(const Json& cache) {
+  Json rows = Json::array();
+  for (const auto& [name, value] : cache.items()) rows.push_back(row(name, count(value)));
+  return rows;
+}
+
 Json bus_rows(const Json& bus) {
   Json rows = Json::array();
   for (const Json& target : bus)
@@ -50,6 +56,8 @@ Json system_section(const Json& m) {
             {"firmware", firmware_rows(system.at("firmware"))},
             {"dram", dram_rows(system.at("dram"))},
             {"bus", bus_rows(system.at("bus"))},
+            {"cache", !system.at("cache").empty()},
+            {"cache_rows", cache_rows(system.at("cache"))},
             {"log", log}}}};
 }
 

@@ -123,9 +123,10 @@ struct PassCycles {
 struct SystemRecord {
   std::string hardware;  ///< what answers the commands inside: "core", "golden"
   sim::system::SystemStatistics statistics;
-  std::size_t firmware_bytes = 0;            ///< of the image
-  std::string log;                           ///< the firmware's
-  std::vector<sim::system::JobReport> jobs;  ///< without their results
+  std::size_t firmware_bytes = 0;                ///< of the image
+  std::string log;                               ///< the firmware's
+  std::vector<sim::system::JobReport> jobs;      ///< without their results
+  std::map<std::string, std::uint64_t> cache{};  ///< counters of its caches; empty without
 };
 
 /// One stage of the host, in the order in which they ran.

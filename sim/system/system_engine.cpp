@@ -107,14 +107,14 @@ void SystemEngine::drain_timed(const TimedSink& sink) {
   const std::vector<Word> results = std::exchange(report.results, {});
   const std::vector<std::uint64_t> cycles = std::exchange(report.result_cycles, {});
   jobs_.push_back(std::move(report));
-  if (!inner_) counters_ = read_hardware_counters();
+  if (!inner_) note_counters();
   if (!results.empty()) sink(results, cycles);
 }
 
 void SystemEngine::poll(const TimedSink& sink) {
   if (!std::exchange(failed_, false)) return;
   const JobReport report = system_->results_so_far();
-  if (!inner_) counters_ = read_hardware_counters();
+  if (!inner_) note_counters();
   if (!report.results.empty()) sink(report.results, report.result_cycles);
 }
 
@@ -125,15 +125,22 @@ golden::Counters SystemEngine::counters() const {
   return counters;
 }
 
+std::uint64_t SystemEngine::read_counter(std::uint32_t index) {
+  const std::uint64_t low = system_->read_register(hw::kCounterLowOffset + index * hw::kCounterLowStride);
+  const std::uint64_t high = system_->read_register(hw::kCounterHighOffset + index * hw::kCounterHighStride);
+  return low | high << 32U;
+}
+
 golden::Counters SystemEngine::read_hardware_counters() {
   system_->write_register(hw::kSnapshotOffset, hw::kSnapshotTakeMask);
-  golden::Counters now = read_counters(hardware_, [&](std::uint32_t index) {
-    const std::uint64_t low = system_->read_register(hw::kCounterLowOffset + index * hw::kCounterLowStride);
-    const std::uint64_t high =
-        system_->read_register(hw::kCounterHighOffset + index * hw::kCounterHighStride);
-    return low | high << 32U;
-  });
+  golden::Counters now = read_counters(hardware_, [&](std::uint32_t index) { return read_counter(index); });
   return std::move(now) - hidden_;
+}
+
+void SystemEngine::note_counters() {
+  counters_ = read_hardware_counters();
+  if ((system_->read_register(hw::kFeaturesOffset) & hw::kFeaturesCacheMask) != 0)
+    cache_counters_ = read_cache_counters([&](std::uint32_t index) { return read_counter(index); });
 }
 
 std::vector<std::uint32_t> SystemEngine::read_plane() {
@@ -151,6 +158,7 @@ void SystemEngine::reset() {
   jobs_.clear();
   failed_ = false;
   counters_ = hidden_ = {};
+  cache_counters_.clear();
   if (inner_) inner_->reset();
   power_up();
 }

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <gnomon/golden/engine.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -65,6 +67,8 @@ class SystemEngine final : public RtlEngine {
   std::uint64_t sticky() const override;
   void write_coverage(const std::filesystem::path& file) override;
 
+  /// Of Top with caches, as of the end of the last drain; else empty.
+  const std::map<std::string, std::uint64_t>& cache_counters() const { return cache_counters_; }
   /// As System::set_event_log, also after resets.
   void set_event_log(std::function<void(const std::string& line)> sink);
 
@@ -79,7 +83,10 @@ class SystemEngine final : public RtlEngine {
   void power_up();
   /// One job; throws if it fails.
   JobReport run(std::vector<Word> commands);
+  std::uint64_t read_counter(std::uint32_t index);
   golden::Counters read_hardware_counters();
+  /// All of them, as of now.
+  void note_counters();
 
   SystemConfig system_config_;
   golden::HardwareConfig hardware_;
@@ -95,8 +102,9 @@ class SystemEngine final : public RtlEngine {
   std::vector<Word> waiting_;
   std::vector<JobReport> jobs_;
   golden::Counters counters_;  ///< of Top, as of the last drain
-  golden::Counters hidden_;    ///< of Top, what reading the plane has counted
-  bool failed_ = false;        ///< since power-up, and its results are not yet given
+  std::map<std::string, std::uint64_t> cache_counters_;
+  golden::Counters hidden_;  ///< of Top, what reading the plane has counted
+  bool failed_ = false;      ///< since power-up, and its results are not yet given
 };
 
 /// With the firmware of this build. Throws as make_rtl_engine and System.

@@ -58,6 +58,7 @@ TEST(Metrics, TheSystemEngineHasItsOwnFigures) {
   EXPECT_EQ(s["firmware"]["instructions_per_job"], 550.0);
   EXPECT_EQ(s["firmware"]["log"], ordered_json({"firmware <0>", "second line"}));
   EXPECT_EQ(s["bus"][1]["writes"], 30);
+  EXPECT_EQ(s["cache"]["CACHE_PLANE_MISSES"], 100);
   EXPECT_EQ(s["dram"]["bytes_per_cycle"], 8.0);
   EXPECT_NEAR(s["dram"]["row_hit_share"].get<double>(), 10000 / 10500.0, 1e-12);
 }
@@ -179,9 +180,9 @@ TEST(Metrics, PredictedCyclesStandBesideTheMeasuredOnes) {
 
 /// Adds the names of all keys below `json`; free-form tables are named, not entered.
 void collect(const ordered_json& json, std::set<std::string>& keys) {
-  static const std::set<std::string> kFreeForm{"parameters",       "registers", "versions",
-                                               "events",           "hardware",  "by_pass",
-                                               "first_difference", "questions", "shadow_work_events"};
+  static const std::set<std::string> kFreeForm{
+      "parameters",       "registers", "versions",           "events", "hardware", "by_pass",
+      "first_difference", "questions", "shadow_work_events", "cache"};
   if (json.is_array() && !json.empty()) return collect(json.front(), keys);
   if (!json.is_object()) return;
   for (const auto& [key, value] : json.items()) {

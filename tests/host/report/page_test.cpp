@@ -59,6 +59,7 @@ TEST(Page, TheSystemEngineHasASectionOfItsOwn) {
   const std::string html = page_of(system_record());
   EXPECT_THAT(html, HasSubstr("id=\"system\""));
   EXPECT_THAT(html, HasSubstr("firmware &lt;0&gt;"));
+  EXPECT_THAT(html, HasSubstr("CACHE_PLANE_MISSES"));
   EXPECT_THAT(html, HasSubstr("500,000 cycles from power-up"));
 }
 

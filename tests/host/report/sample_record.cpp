@@ -147,6 +147,7 @@ RunRecord system_record() {
   system.statistics.bus = {{"dram", 7000, 3500, 4000000}, {"hardware", 20, 30, 200}};
   system.firmware_bytes = 4700;
   system.log = "firmware <0>\nsecond line\n";
+  system.cache = {{"CACHE_PLANE_HITS", 4000}, {"CACHE_PLANE_MISSES", 100}};
   system.jobs.resize(2);
   system.jobs[0].instructions = 500;
   system.jobs[1].instructions = 600;

@@ -75,6 +75,8 @@ TEST(Top, PlanesInMemoryGiveTheSameWords) {
   cached.axi_data_bits = 128;
   const auto engine = make_system_engine(kSmall, cached);
   EXPECT_GT(expect_golden(*engine, 40, 4), 500u);
+  EXPECT_GT(engine->cache_counters().at("CACHE_PLANE_HITS"), 1'000u);
+  EXPECT_TRUE(make_system_engine(kSmall, quick())->cache_counters().empty());
 }
 
 TEST(Top, LatencyCostsCyclesNeverWords) {
