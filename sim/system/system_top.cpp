@@ -2,6 +2,7 @@
 // The host's side: jobs in, results out.
 #include "sim/system/system_top.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -57,12 +58,17 @@ std::vector<JobReport> System::run(std::span<const Job> jobs) {
 }
 
 JobReport System::results_so_far() {
+  const Simulation::Turn turn(*simulation_);
   Parts& parts = *parts_;
   parts.take_results(parts.written);
   const auto from = static_cast<std::ptrdiff_t>(parts.taken_before);
   JobReport report;
   report.results.assign(parts.taken.begin() + from, parts.taken.end());
   report.result_cycles.assign(parts.taken_cycles.begin() + from, parts.taken_cycles.end());
+  // Writes under way have a time, but it has not come.
+  const auto there = std::ranges::upper_bound(report.result_cycles, to_cycles(sc_core::sc_time_stamp()));
+  report.result_cycles.erase(there, report.result_cycles.end());
+  report.results.resize(report.result_cycles.size());
   return report;
 }
 

@@ -127,7 +127,7 @@ TEST(Top, EndsEarlyAtACycle) {
   engine->poll([&](auto words, auto cycles) {
     found = words.size();
     EXPECT_TRUE(std::is_sorted(cycles.begin(), cycles.end()));
-    EXPECT_LE(cycles.back(), 9'200u);
+    EXPECT_LE(cycles.back(), 9'000u);
   });
   EXPECT_GT(found, 50u) << "results are written while the job runs";
 }
