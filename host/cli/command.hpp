@@ -39,6 +39,7 @@ class Command {
   virtual Result<int> run(Context& context) = 0;
 };
 
+std::unique_ptr<Command> make_area_command();
 std::unique_ptr<Command> make_doctor_command();
 std::unique_ptr<Command> make_mesh_command();
 std::unique_ptr<Command> make_params_command();

@@ -27,6 +27,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_mesh_command());
   commands.push_back(make_slb_command());
   commands.push_back(make_sweep_command());
+  commands.push_back(make_area_command());
   commands.push_back(make_wave_command());
   commands.push_back(make_params_command());
   commands.push_back(make_doctor_command());
