@@ -15,6 +15,7 @@ module axi_master #(
   output logic                       pending_o,
   output logic                       late_o,
   output logic                       active_o,          // a transaction is asked for or under way
+  output logic                       moved_o,           // a channel moves
   output system_pkg::fault_t         read_fault_o,
   output system_pkg::fault_t         write_fault_o,
   output system_pkg::fault_t         timeout_fault_o,
@@ -132,11 +133,10 @@ module axi_master #(
   assign late_o          = read_late || write_late;
   assign active_o        = read_active || write_active;
 
-  logic moved;
-  assign moved = (m_axi_arvalid_o && m_axi_arready_i) || m_axi_rvalid_i || (m_axi_awvalid_o && m_axi_awready_i) ||
-                 (m_axi_wvalid_o && m_axi_wready_i) || m_axi_bvalid_i;
+  assign moved_o = (m_axi_arvalid_o && m_axi_arready_i) || m_axi_rvalid_i || (m_axi_awvalid_o && m_axi_awready_i) ||
+                   (m_axi_wvalid_o && m_axi_wready_i) || m_axi_bvalid_i;
   axi_timeout u_timeout (
-    .clk_i, .rst_ni, .watch_i(active_o && may_start_i), .moved_i(moved), .limit_i(timeout_i),
+    .clk_i, .rst_ni, .watch_i(active_o && may_start_i), .moved_i(moved_o), .limit_i(timeout_i),
     .address_i(read_active ? read_address : write_address), .fault_o(timeout_fault_o)
   );
 

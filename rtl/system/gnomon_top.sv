@@ -103,6 +103,7 @@ module gnomon_top #(
   // ---- Registers ----
   logic              enable, source, idle, untouched, snapshot, irq_job, job_done, tail_step, result_full, result_blocked;
   logic              soft_reset, resetting, stopped, stop, late, core_rst_n, may_start, epoch, give_up, pending;
+  logic              moved;
   logic [3:0]        head_step;
   logic [7:0]        counter_index;
   logic [15:0]       job;
@@ -136,7 +137,7 @@ module gnomon_top #(
     .clk_i, .rst_ni, .read_fault_i(read_fault), .write_fault_i(write_fault), .timeout_fault_i(timeout_fault),
     .job_fault_i(job_fault), .job_i(job), .stop_o(stop), .stopped_o(stopped), .error_status_o(error_status),
     .error_address_o(error_address), .soft_reset_i(soft_reset), .axi_timeout_i(axi_timeout), .pending_i(pending),
-    .late_i(late), .resetting_o(resetting), .core_rst_no(core_rst_n), .give_up_o(give_up), .epoch_o(epoch),
+    .late_i(late), .moved_i(moved), .resetting_o(resetting), .core_rst_no(core_rst_n), .give_up_o(give_up), .epoch_o(epoch),
     .may_start_o(may_start)
   );
 
@@ -259,7 +260,7 @@ module gnomon_top #(
   // ---- Memory ----
   axi_master #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(CACHED)) u_master (
     .clk_i, .rst_ni, .core_rst_ni(core_rst_n), .may_start_i(may_start), .epoch_i(epoch), .give_up_i(give_up),
-    .timeout_i(axi_timeout), .pending_o(pending), .late_o(late), .active_o(active), .read_fault_o(read_fault),
+    .timeout_i(axi_timeout), .pending_o(pending), .late_o(late), .active_o(active), .moved_o(moved), .read_fault_o(read_fault),
     .write_fault_o(write_fault), .timeout_fault_o(timeout_fault),
     .descriptor_valid_i(descriptor_valid), .descriptor_ready_o(descriptor_ready),
     .descriptor_active_i(descriptor_active), .descriptor_place_i(place), .descriptor_beat_o(descriptor_beat),

@@ -51,7 +51,7 @@ module register_block #(
   input  logic [63:0]         counter_value_i,
   output logic                snapshot_o,
   // Settings.
-  output logic                soft_reset_o,    // asked for in this cycle; the registers reset themselves
+  output logic                soft_reset_o,    // asked for in this cycle; the registers reset themselves until it is over
   output logic                enable_o,
   output logic                source_o,
   output logic [31:0]         axi_timeout_o,

@@ -43,7 +43,7 @@ module register_file #(
   input  logic [63:0]         counter_value_i,
   output logic                snapshot_o,
   // Settings.
-  output logic                soft_reset_o,    // asked for in this cycle; the registers reset themselves
+  output logic                soft_reset_o,    // asked for in this cycle; the registers reset themselves until it is over
   output logic                enable_o,
   output logic                source_o,
   output logic [31:0]         axi_timeout_o,
@@ -76,7 +76,7 @@ module register_file #(
   logic [31:0] command_head_q, command_tail_q, result_head_q, result_tail_q;
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || soft_reset_o) begin
+    if (!rst_ni || soft_reset_o || resetting_i) begin
       enable_q       <= 1'b0;
       source_q       <= 1'b0;
       timeout_q      <= gnomon_registers_pkg::GNOMON_AXI_TIMEOUT_RESET;
@@ -141,7 +141,7 @@ module register_file #(
   assign cleared = (heed_status && write_offset == gnomon_registers_pkg::GNOMON_INTERRUPT_STATUS_OFFSET) ? write_data_i[2:0] : '0;
   assign irq_o   = (interrupt_status_q & interrupt_enable_q) != '0;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || soft_reset_o) begin
+    if (!rst_ni || soft_reset_o || resetting_i) begin
       interrupt_status_q <= '0;
       interrupt_enable_q <= '0;
     end else begin

@@ -20,6 +20,7 @@ module system_control (
   input  logic [31:0]        axi_timeout_i,
   input  logic               pending_i,        // transactions of this epoch are under way
   input  logic               late_i,           // answers of the epoch before are due
+  input  logic               moved_i,          // a channel of the bus moves
   output logic               resetting_o,
   output logic               core_rst_no,      // of all that is not the bus or a register
   output logic               give_up_o,        // in this cycle transactions under way become late
@@ -27,7 +28,7 @@ module system_control (
   output logic               may_start_o       // transactions
 );
 
-  localparam logic [31:0] LONGEST_RESET = 32'd65536;
+  localparam logic [31:0] LONGEST_PAUSE = 32'd65536;
 
   // ---- Errors ----
   system_pkg::fault_t fault;
@@ -63,7 +64,9 @@ module system_control (
 
   // ---- Soft reset ----
   logic        resetting_q, epoch_q, over;
-  logic [31:0] left_q;
+  logic [31:0] left_q, limit_q;  // cycles without a move
+  logic [31:0] limit;
+  assign limit       = (axi_timeout_i == '0) ? LONGEST_PAUSE : axi_timeout_i;
   assign over        = left_q == '0;
   assign resetting_o = resetting_q;
   assign core_rst_no = rst_ni && !resetting_q;
@@ -75,11 +78,14 @@ module system_control (
       resetting_q <= 1'b0;
       epoch_q     <= 1'b0;
       left_q      <= '0;
+      limit_q     <= '0;
     end else if (soft_reset_i) begin
       resetting_q <= 1'b1;
-      left_q      <= (axi_timeout_i == '0) ? LONGEST_RESET : axi_timeout_i;
+      left_q      <= limit;
+      limit_q     <= limit;
     end else if (resetting_q) begin
-      if (!over) left_q <= left_q - 32'd1;
+      if (moved_i)    left_q <= limit_q;
+      else if (!over) left_q <= left_q - 32'd1;
       if (over || (!pending_i && !late_i)) resetting_q <= 1'b0;
       if (give_up_o) epoch_q <= !epoch_q;
     end
