@@ -26,8 +26,9 @@ void add_technique(const Json& run, const std::string& results, Figures& figures
   figures[prefix + "words"] = run.at("compare").at("words");
   figures[prefix + "results"] = results;
   if (!run.at("cycles").is_null()) {
-    for (const auto& [pass, cycles] : run.at("cycles").at("by_pass").items())
-      figures[prefix + "cycles." + pass] = cycles.at("total");
+    for (const auto& [pass, cycles] : run.at("cycles").at("by_pass").items()) {
+      if (pass != "IDLE") figures[prefix + "cycles." + pass] = cycles.at("total");
+    }
   }
   const Json& errors = run.at("errors").at("fixed");
   for (const ErrorFigure& figure : kErrors)

@@ -13,8 +13,8 @@ namespace gnomon::regression {
 using Figures = std::map<std::string, nlohmann::json>;
 
 /// From what metrics.json holds, for each technique T: T.words and T.results (how many result words, and
-/// their hash: `results`, one for each technique, in order), T.cycles.PASS, T.error.*. Throws
-/// std::invalid_argument where `results` has not one hash a technique.
+/// their hash: `results`, one for each technique, in order), T.cycles.PASS (but IDLE, which is the driver's
+/// doing), T.error.*. Throws std::invalid_argument where `results` has not one hash a technique.
 Figures figures_of(const nlohmann::ordered_json& metrics, std::span<const std::string> results);
 
 }  // namespace gnomon::regression

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 Json technique(const std::string& name) {
   return Json::parse(R"({"technique": ")" + name + R"(", "compare": {"words": 1234},
-    "cycles": {"total": 30, "by_pass": {"DRAW": {"total": 10, "causes": {"BUSY": 10}}, "FILL": {"total": 20}}},
+    "cycles": {"total": 30, "by_pass": {"DRAW": {"total": 10, "causes": {"BUSY": 10}}, "FILL": {"total": 20}, "IDLE": {"total": 1}}},
     "errors": {"fixed": {"all": {"share": 0.25}, "unambiguous": {"share": 0.125}, "samples": {"share": null},
                          "boundary_displacement": 0.5}}})");
 }
