@@ -86,6 +86,7 @@ std::string parameter_text(const Row& row, const std::string& key) {
 
 std::vector<Varied> varied_parameters(const std::vector<Row>& rows) {
   std::vector<nlohmann::json> configurations;
+  configurations.reserve(rows.size());
   for (const Row& row : rows)
     configurations.push_back(nlohmann::json::parse(row.configuration, nullptr, false));
   std::vector<Varied> varied;

@@ -2,6 +2,8 @@
 // From the figures of a run to those of a point.
 #include "host/sweep/measurement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -30,7 +32,7 @@ constexpr std::array<std::string_view, 8> kOfWholeRuns{
 
 void flatten(const Json& part, const std::string& name, std::map<std::string, double>& figures) {
   if (part.is_object()) {
-    for (const auto& [key, value] : part.items()) flatten(value, name + "." + key, figures);
+    for (const auto& [key, value] : part.items()) flatten(value, fmt::format("{}.{}", name, key), figures);
   } else if (part.is_number()) {
     figures.emplace(measures_time(name) ? "host." + name : name, part.get<double>());
   }

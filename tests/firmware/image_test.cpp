@@ -20,7 +20,7 @@ TEST(Image, SaysWhatItHasFound) {
   machine.start();
   EXPECT_EQ(machine.system.mailbox.get(mb::kStateOffset), mb::kStateIsReady);
   EXPECT_EQ(machine.system.log,
-            "gnomon firmware: hardware 1.0, features 0x40002, voxels 2^8, plane 2^9, depth 20 bits\n");
+            "gnomon firmware: hardware 1.1, features 0x40002, voxels 2^8, plane 2^9, depth 20 bits\n");
 }
 
 TEST(Image, SaysWhyItCannotGoOn) {

@@ -13,7 +13,6 @@ namespace {
 
 using golden::ErrorCode;
 using golden::HardwareConfig;
-using golden::Header;
 using golden::Op;
 using golden::Register;
 using golden::StreamWriter;

@@ -44,9 +44,9 @@ void CpuModule::run() {
 void CpuModule::sleep() {
   sample_lines();
   if (core_.run(0) != cpu::Stop::Asleep) return;
-  const sc_core::sc_time begin = sc_core::sc_time_stamp();
+  const std::uint64_t begin = to_cycles(sc_core::sc_time_stamp());
   wait(external.value_changed_event() | software.value_changed_event() | timer.value_changed_event());
-  const std::uint64_t slept = to_cycles(sc_core::sc_time_stamp() - begin);
+  const std::uint64_t slept = to_cycles(sc_core::sc_time_stamp()) - begin;
   core_.pass_time(slept);
   synchronised_ += slept;
 }

@@ -148,6 +148,10 @@ void HardwareModule::check_rings() const {
     throw Stopped{hw::kErrorCodeIsBadRing, 0};
 }
 
+void HardwareModule::wait_for_reset() {
+  for (;;) pause(cycles(kResetTimeout));
+}
+
 sc_core::sc_time HardwareModule::transfer(tlm::tlm_command command, std::uint64_t address,
                                           std::span<std::uint8_t> data) {
   tlm::tlm_generic_payload payload;
@@ -161,7 +165,7 @@ sc_core::sc_time HardwareModule::transfer(tlm::tlm_command command, std::uint64_
   if (payload.is_response_ok()) return delay;
   if (payload.get_response_status() == tlm::TLM_INCOMPLETE_RESPONSE) {
     const std::uint32_t timeout = registers_.get(hw::kAxiTimeoutOffset);
-    while (timeout == 0) pause(cycles(kResetTimeout));  // a reset ends it
+    if (timeout == 0) wait_for_reset();
     pause(cycles(timeout));
     throw Stopped{hw::kErrorCodeIsTimeout, address};
   }
@@ -209,7 +213,7 @@ void HardwareModule::run_descriptor() {
 
 /// A group of bursts is fetched while the engine works on the one before.
 void HardwareModule::execute(const Descriptor& descriptor) {
-  std::array<Word, kOutstanding * kLineWords> group{};
+  std::array<Word, std::size_t{kOutstanding} * kLineWords> group{};
   std::uint64_t address = descriptor.address;
   std::uint64_t left = descriptor.words, working = 0;
   while (left != 0) {

@@ -63,6 +63,7 @@ class HardwareModule : public HardwareBase {
   /// Waits; a reset ends it by an exception.
   void pause(const sc_core::sc_time& time);
   void pause_until_changed();
+  [[noreturn]] void wait_for_reset();
   /// What the transaction takes beyond now; stops the hardware if it is not answered well.
   sc_core::sc_time transfer(tlm::tlm_command command, std::uint64_t address, std::span<std::uint8_t> data);
 

@@ -38,7 +38,7 @@ TEST(RegisterFile, ClearsWhereOnesAreWritten) {
 
 TEST(RegisterFile, KnowsWhereNothingIs) {
   RegisterFile file(hardware::kRegisters);
-  for (const std::uint32_t offset : {0x00Cu, 0x3FCu, 0x800u, 0xFFCu, 0x1000u, 0xFFFFFFFCu}) {
+  for (const std::uint32_t offset : {0x00Cu, 0x3FCu, 0xC00u, 0xFFCu, 0x1000u, 0xFFFFFFFCu}) {
     EXPECT_EQ(file.read(offset), std::nullopt) << offset;
     EXPECT_FALSE(file.write(offset, 1)) << offset;
     EXPECT_THROW(file.set(offset, 1), std::out_of_range);
@@ -52,7 +52,7 @@ TEST(RegisterFile, KeepsArraysApart) {
     file.set(hardware::kCounterLowOffset + i * hardware::kCounterLowStride, i);
     file.set(hardware::kCounterHighOffset + i * hardware::kCounterHighStride, ~i);
   }
-  for (std::uint32_t i = 0; i < 128; ++i) {
+  for (std::uint32_t i = 0; i < hardware::kCounterLowCount; ++i) {
     EXPECT_EQ(file.read(0x400 + 8 * i), i);
     EXPECT_EQ(file.read(0x404 + 8 * i), ~i);
   }
