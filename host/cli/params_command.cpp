@@ -15,8 +15,8 @@ nlohmann::ordered_json value_json(const config::Value& value) {
 }
 
 nlohmann::ordered_json parameter_json(const config::Parameter& parameter) {
-  static constexpr std::array<std::string_view, 4> kTypes{"integer", "number", "choice", "vector"};
-  return {{"key", parameter.key},       {"type", kTypes[static_cast<std::size_t>(parameter.type)]},
+  static constexpr std::array<std::string_view, 5> kTypes{"integer", "number", "choice", "choices", "vector"};
+  return {{"key", parameter.key},       {"type", kTypes.at(static_cast<std::size_t>(parameter.type))},
           {"range", parameter.range()}, {"default", value_json(parameter.preset)},
           {"unit", parameter.unit},     {"environment", parameter.environment()},
           {"help", parameter.help}};

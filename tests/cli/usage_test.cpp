@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -120,14 +121,21 @@ TEST(Params, PrintsTheRegistry) {
   EXPECT_EQ(json.status, 0);
   EXPECT_EQ(json.err, "");
   std::set<std::string> keys;
+  std::map<std::string, std::string> types;
   for (const auto& entry : nlohmann::json::parse(json.out)) {
     keys.insert(entry.at("key"));
+    types[entry.at("key")] = entry.at("type");
     for (const char* field : {"type", "range", "default", "unit", "environment", "help"})
       EXPECT_TRUE(entry.contains(field));
   }
   const Outcome table = run_gnomon({"params"});
   EXPECT_EQ(table.status, 0);
   EXPECT_EQ(keys.size(), config::parameters().size());
+  EXPECT_EQ(types["res"], "integer");
+  EXPECT_EQ(types["pitch"], "number");
+  EXPECT_EQ(types["frame_buffer"], "choice");
+  EXPECT_EQ(types["technique"], "choices");
+  EXPECT_EQ(types["light"], "vector");
   for (const config::Parameter& parameter : config::parameters()) {
     EXPECT_TRUE(keys.contains(std::string(parameter.key)));
     EXPECT_THAT(table.out, HasSubstr(std::string(parameter.key) + " "));
