@@ -117,7 +117,7 @@ void with_bus(benchmark::State& state) {
   const golden::HardwareConfig config = build(state.range(0) != 0);
   const std::vector<Word> words = commands(config);
   BareTop top(config);
-  for (auto _ : state) top.run(words);
+  for ([[maybe_unused]] auto round : state) top.run(words);
   count(state, top.cycle(), top.results());
 }
 
