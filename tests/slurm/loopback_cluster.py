@@ -45,6 +45,10 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
 
 
+class CannotRun(Exception):
+    """The daemons do not come up on this machine."""
+
+
 def why_not():
     """Why a cluster cannot run here, or None."""
     missing = [tool for tool in TOOLS if shutil.which(tool) is None]
@@ -113,7 +117,10 @@ class Cluster:
             self._start("slurmctld", ["slurmctld", "-D", "-f", self.configuration])
             for name in self.names:
                 self.start_node(name)
-            self.wait_for(lambda: self._states().count("idle") == len(self.names), 120, "idle nodes")
+            self.wait_for(self._is_up, 120, "idle nodes")
+        except TimeoutError as late:
+            self.__exit__(None, None, None)
+            raise CannotRun(str(late)) from late
         except BaseException:
             self.__exit__(None, None, None)
             raise
@@ -165,6 +172,23 @@ class Cluster:
         daemon.kill()
         self._kill_jobs(name)
         daemon.wait()
+
+    def _is_up(self):
+        for name, daemon in self.daemons.items():
+            if daemon.poll() is not None:
+                raise CannotRun(f"{name} ends at once: {self._first_error(name)}")
+        return self._states().count("idle") == len(self.names)
+
+    def _first_error(self, name):
+        """The first error that a daemon has named, for a reader without its log."""
+        for file in (f"slurmd-{name}.log", name + ".log", name + ".out"):
+            path = os.path.join(self.folder, file)
+            if os.path.exists(path):
+                with open(path, encoding="utf-8", errors="replace") as log:
+                    for line in log:
+                        if "error:" in line:
+                            return line.split("error:", 1)[1].strip()
+        return "no error in its log"
 
     def _states(self):
         shown = self.run(["sinfo", "-h", "-N", "-o", "%T"]).stdout.split()

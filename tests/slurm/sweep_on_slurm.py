@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-from loopback_cluster import Cluster, why_not
+from loopback_cluster import CannotRun, Cluster, why_not
 
 CUBE = """v -1 -1 -1
 v 1 -1 -1
@@ -156,6 +156,9 @@ def main():
             try:
                 with Cluster(os.path.join(folder, "cluster"), 4) as cluster:
                     test(cluster, Sweep(os.path.abspath(sys.argv[1]), os.path.join(folder, "sweep"), resolutions))
+            except CannotRun as reason:
+                print("skipped: Slurm cannot run here:", reason)
+                return 77
             except (Failed, TimeoutError, subprocess.SubprocessError) as problem:
                 print(f"{name}: FAILED: {problem}")
                 print(logs_of(folder))
