@@ -135,6 +135,7 @@ Driver driver_of(ModelTop top) {
 void write_sources(const Driver& driver, const fs::path& work) {
   write_file(work / "model.cpp", driver.source);
   write_file(work / driver.abi_file, driver.abi_source);
+  write_file(work / "verilated_top.hpp", kVerilatedTopSource);
   write_file(work / "gnomon_model_print.h", kModelPrintSource);
   write_file(work / "exports.map", "{ global: " + std::string(driver.function) + "; local: *; };\n");
   std::set<fs::path> fast, slow;
@@ -184,7 +185,8 @@ ModelCache::ModelCache(Toolchain tools, Notice notice)
 Artifact ModelCache::artifact(const ModelSpec& spec) const {
   const Driver driver = driver_of(spec.top);
   std::string manifest = "model abi " + std::to_string(driver.abi) + "\n" + versions_;
-  for (const std::string_view source : {driver.source, driver.abi_source, kModelPrintSource}) {
+  for (const std::string_view source :
+       {driver.source, driver.abi_source, kVerilatedTopSource, kModelPrintSource}) {
     manifest += "driver " + content_hash(source) + "\n";
   }
   manifest += "compile " +

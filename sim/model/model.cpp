@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives one Verilated gnomon_core behind model_abi.h. The cache compiles this file together with what
 // Verilator wrote.
-#include <cstdarg>
-#include <cstdio>
+#include <algorithm>
 #include <cstring>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "Vgnomon_core.h"
 #include "model_abi.h"
-#include "verilated.h"
+#include "verilated_top.hpp"
 #if GNOMON_SAVABLE
 #include "verilated_save.h"
-#endif
-#if VM_TRACE
-#include "verilated_fst_c.h"
 #endif
 #if VM_COVERAGE
 #include "verilated_cov.h"
 #endif
 
 namespace {
-
-thread_local std::string* t_messages = nullptr;
-
-constexpr uint64_t kNanosecondsPerCycle = 10;
 
 #if GNOMON_SAVABLE
 /// Serializes into memory instead of a file.
@@ -78,28 +68,10 @@ class Gate {
   uint64_t seed_ = 0;
 };
 
-class Model {
+class Model : public VerilatedTop<Vgnomon_core, GNOMON_MODEL_RESET_CYCLES> {
  public:
-  explicit Model(uint32_t seed) {
-    enter();
-    context_.threads(1);
-    context_.fatalOnError(false);
-    context_.randReset(
-        VM_COVERAGE ? 0 : 2);  // a bit that starts random and is then constant would count as toggled
-    context_.randSeed(static_cast<int>(seed * 2u + 1u));  // 0 would mean a seed from the clock
-#if VM_TRACE
-    context_.traceEverOn(true);
-#endif
-    top_ = std::make_unique<Vgnomon_core>(&context_, "gnomon_core");
-    reset();
-  }
-  ~Model() {
-    enter();
-    trace_close();
-    top_->final();
-  }
-  Model(const Model&) = delete;
-  Model& operator=(const Model&) = delete;
+  // A bit that starts random and is then constant would count as toggled.
+  explicit Model(uint32_t seed) : VerilatedTop("gnomon_core", seed, VM_COVERAGE ? 0 : 2) { reset(); }
 
   void set_stalls(const GnomonModelStalls& stalls) {
     command_gate_.set(stalls.command, stalls.seed);
@@ -111,25 +83,14 @@ class Model {
     offering_ = false;
     top_->cmd_valid_i = 0;
     top_->res_ready_i = 0;
-    top_->rst_ni = 0;
-    for (int i = 0; i < GNOMON_MODEL_RESET_CYCLES; ++i) {
-      top_->clk_i = 0;
-      top_->eval();
-      top_->clk_i = 1;
-      top_->eval();
-    }
-    top_->rst_ni = 1;
+    hold_reset();
     cycle_ = 0;
   }
 
   int run(GnomonModelRun& io) {
     enter();
-    const int stop = tracing() ? run_loop<true>(io) : run_loop<false>(io);
+    const int stop = tracing() && !probing_ ? run_loop<true>(io) : run_loop<false>(io);
     return context_.gotFinish() || context_.gotError() ? int{GNOMON_STOP_FAULT} : stop;
-  }
-
-  uint64_t cycle() const {
-    return cycle_;
   }
 
   uint64_t counter(uint32_t index) {
@@ -139,36 +100,7 @@ class Model {
     return top_->counter_value_o;
   }
 
-  bool idle() const {
-    return top_->idle_o != 0;
-  }
-  const char* fault() const {
-    return messages_.c_str();
-  }
-
-  bool trace_open(const char* path, uint64_t from, uint64_t to) {
-#if VM_TRACE
-    enter();
-    trace_close();
-    trace_ = std::make_unique<VerilatedFstC>();
-    top_->trace(trace_.get(), 99);
-    trace_->open(path);
-    trace_from_ = from;
-    trace_to_ = to;
-    if (!trace_->isOpen()) trace_.reset();
-    return trace_ != nullptr;
-#else
-    (void)path, (void)from, (void)to;
-    return false;
-#endif
-  }
-
-  void trace_close() {
-#if VM_TRACE
-    if (trace_) trace_->close();
-    trace_.reset();
-#endif
-  }
+  bool idle() const { return top_->idle_o != 0; }
 
   bool write_coverage(const char* path) {
 #if VM_COVERAGE
@@ -206,32 +138,6 @@ class Model {
   }
 
  private:
-  /// Several models may live in a thread; the runtime must know whose turn it is.
-  void enter() {
-    t_messages = &messages_;
-    Verilated::threadContextp(&context_);
-  }
-
-  bool tracing() const {
-#if VM_TRACE
-    return trace_ != nullptr && !probing_;
-#else
-    return false;
-#endif
-  }
-
-  template <bool kTrace>
-  void dump(uint64_t half) {
-#if VM_TRACE
-    if (kTrace && cycle_ >= trace_from_ && cycle_ <= trace_to_) {
-      trace_->dump((cycle_ + GNOMON_MODEL_RESET_CYCLES) * kNanosecondsPerCycle +
-                   half * kNanosecondsPerCycle / 2);
-    }
-#else
-    (void)half;
-#endif
-  }
-
   template <bool kTrace>
   int run_loop(GnomonModelRun& io) {
     Vgnomon_core& top = *top_;
@@ -271,16 +177,8 @@ class Model {
     }
   }
 
-  VerilatedContext context_;
-  std::string messages_;
-  std::unique_ptr<Vgnomon_core> top_;
-#if VM_TRACE
-  std::unique_ptr<VerilatedFstC> trace_;
-  uint64_t trace_from_ = 0, trace_to_ = 0;
-#endif
   Gate command_gate_, result_gate_;
   bool offering_ = false;
-  uint64_t cycle_ = 0;
   std::vector<uint8_t> saved_;
   bool saved_offering_ = false;
   bool probing_ = false;  // between save and restore: cycles that do not count
@@ -312,17 +210,6 @@ const GnomonModelApi kApi = {
 };
 
 }  // namespace
-
-int gnomon_model_printf(const char* format, ...) {
-  constexpr size_t kKept = 4096;  // the first messages say what went wrong
-  char line[512];
-  std::va_list arguments;
-  va_start(arguments, format);
-  const int length = std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  if (t_messages && t_messages->size() < kKept) *t_messages += line;
-  return length;
-}
 
 extern "C" __attribute__((visibility("default"))) const GnomonModelApi* gnomon_model_api(void) {
   return &kApi;

@@ -3,25 +3,15 @@
 // wrote.
 #include <algorithm>
 #include <array>
-#include <cstdarg>
-#include <cstdio>
 #include <cstring>
 #include <deque>
-#include <memory>
-#include <string>
 
 #include "Vgnomon_top.h"
 #include "top_abi.h"
-#include "verilated.h"
-#if VM_TRACE
-#include "verilated_fst_c.h"
-#endif
+#include "verilated_top.hpp"
 
 namespace {
 
-thread_local std::string* t_messages = nullptr;
-
-constexpr uint64_t kNanosecondsPerCycle = 10;
 constexpr uint32_t kBeat = sizeof(Vgnomon_top::m_axi_wdata_o);  // bytes of a beat
 
 /// A read's answer on its way back.
@@ -48,41 +38,15 @@ struct WriteData {
   std::array<uint8_t, GNOMON_TOP_LINE_BYTES> data;
 };
 
-class Model {
+class Model : public VerilatedTop<Vgnomon_top, GNOMON_TOP_RESET_CYCLES> {
  public:
-  explicit Model(uint32_t seed) {
-    enter();
-    context_.threads(1);
-    context_.fatalOnError(false);
-    context_.randReset(2);
-    context_.randSeed(static_cast<int>(seed * 2u + 1u));  // 0 would mean a seed from the clock
-#if VM_TRACE
-    context_.traceEverOn(true);
-#endif
-    top_ = std::make_unique<Vgnomon_top>(&context_, "gnomon_top");
-    power_up();
-  }
-  ~Model() {
-    enter();
-    trace_close();
-    top_->final();
-  }
-  Model(const Model&) = delete;
-  Model& operator=(const Model&) = delete;
+  explicit Model(uint32_t seed) : VerilatedTop("gnomon_top", seed, 2) { power_up(); }
 
   int run(uint64_t until) {
     enter();
     return tracing() ? run_loop<true>(until) : run_loop<false>(until);
   }
-  uint64_t cycle() const {
-    return cycle_;
-  }
-  bool interrupt() const {
-    return interrupt_;
-  }
-  const char* fault() const {
-    return messages_.c_str();
-  }
+  bool interrupt() const { return interrupt_; }
 
   void begin_access(bool is_write, uint32_t offset, uint32_t data) {
     Vgnomon_top& top = *top_;
@@ -133,44 +97,7 @@ class Model {
     write_answers_.push_back({cycle, write.id, response});
   }
 
-  bool trace_open(const char* path, uint64_t from, uint64_t to) {
-#if VM_TRACE
-    enter();
-    trace_close();
-    trace_ = std::make_unique<VerilatedFstC>();
-    top_->trace(trace_.get(), 99);
-    trace_->open(path);
-    trace_from_ = from;
-    trace_to_ = to;
-    if (!trace_->isOpen()) trace_.reset();
-    return trace_ != nullptr;
-#else
-    (void)path, (void)from, (void)to;
-    return false;
-#endif
-  }
-  void trace_close() {
-#if VM_TRACE
-    if (trace_) trace_->close();
-    trace_.reset();
-#endif
-  }
-
  private:
-  /// Several models may live in a thread; the runtime must know whose turn it is.
-  void enter() {
-    t_messages = &messages_;
-    Verilated::threadContextp(&context_);
-  }
-
-  bool tracing() const {
-#if VM_TRACE
-    return trace_ != nullptr;
-#else
-    return false;
-#endif
-  }
-
   void power_up() {
     Vgnomon_top& top = *top_;
     top.s_axil_awvalid_i = top.s_axil_wvalid_i = top.s_axil_arvalid_i = 0;
@@ -179,26 +106,7 @@ class Model {
     top.m_axis_tready_i = 0;
     top.m_axi_arready_i = top.m_axi_awready_i = top.m_axi_wready_i = 1;
     top.m_axi_rvalid_i = top.m_axi_bvalid_i = 0;
-    top.rst_ni = 0;
-    for (int i = 0; i < GNOMON_TOP_RESET_CYCLES; ++i) {
-      top.clk_i = 0;
-      top.eval();
-      top.clk_i = 1;
-      top.eval();
-    }
-    top.rst_ni = 1;
-  }
-
-  template <bool kTrace>
-  void dump(uint64_t half) {
-#if VM_TRACE
-    if (kTrace && cycle_ >= trace_from_ && cycle_ <= trace_to_) {
-      trace_->dump((cycle_ + GNOMON_TOP_RESET_CYCLES) * kNanosecondsPerCycle +
-                   half * kNanosecondsPerCycle / 2);
-    }
-#else
-    (void)half;
-#endif
+    hold_reset();
   }
 
   /// What memory offers in this cycle.
@@ -309,14 +217,6 @@ class Model {
     return events;
   }
 
-  VerilatedContext context_;
-  std::string messages_;
-  std::unique_ptr<Vgnomon_top> top_;
-#if VM_TRACE
-  std::unique_ptr<VerilatedFstC> trace_;
-  uint64_t trace_from_ = 0, trace_to_ = 0;
-#endif
-  uint64_t cycle_ = 0;
   bool interrupt_ = false;
   bool accessing_ = false;
   int access_response_ = 0;
@@ -363,17 +263,6 @@ const GnomonTopApi kApi = {
 };
 
 }  // namespace
-
-int gnomon_model_printf(const char* format, ...) {
-  constexpr size_t kKept = 4096;  // the first messages say what went wrong
-  char line[512];
-  std::va_list arguments;
-  va_start(arguments, format);
-  const int length = std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  if (t_messages && t_messages->size() < kKept) *t_messages += line;
-  return length;
-}
 
 extern "C" __attribute__((visibility("default"))) const GnomonTopApi* gnomon_top_api(void) {
   return &kApi;
