@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <stdexcept>
 
 namespace gnomon::sim {
@@ -32,17 +31,6 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string first_line_of_version(const std::string& program) {
-  const std::string command = quoted(program) + " --version 2>/dev/null";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::array<char, 256> line{};
-  if (!pipe || !std::fgets(line.data(), static_cast<int>(line.size()), pipe.get())) {
-    throw std::runtime_error("'" + program +
-                             "' does not run; compiled models need Verilator and a C++ compiler");
-  }
-  return line.data();
-}
-
 }  // namespace
 
 Toolchain Toolchain::from_environment() {
@@ -59,8 +47,21 @@ Toolchain Toolchain::from_environment() {
   return tools;
 }
 
-std::string Toolchain::versions() const {
-  return first_line_of_version(verilator) + first_line_of_version(compiler.back());
+std::string version_of(const std::string& program) {
+  const std::string command = quoted(program) + " --version 2>&1";
+  FILE* const pipe = popen(command.c_str(), "r");
+  std::string said;
+  std::array<char, 256> part{};
+  while (pipe && std::fgets(part.data(), static_cast<int>(part.size()), pipe)) said += part.data();
+  if (!pipe || pclose(pipe) != 0 || said.empty()) throw std::runtime_error("'" + program + "' does not run");
+  return said.substr(0, said.find('\n') + 1);
+}
+
+std::string Toolchain::versions() const try {
+  return version_of(verilator) + version_of(compiler.back());
+} catch (const std::runtime_error& missing) {
+  throw std::runtime_error(std::string(missing.what()) +
+                           "; compiled models need Verilator and a C++ compiler");
 }
 
 }  // namespace gnomon::sim

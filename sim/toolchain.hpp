@@ -27,4 +27,8 @@ struct Toolchain {
   std::string versions() const;
 };
 
+/// The first line of what `program --version` says, with its end. Throws std::runtime_error if it does not
+/// run.
+std::string version_of(const std::string& program);
+
 }  // namespace gnomon::sim

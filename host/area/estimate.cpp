@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "host/area/wrapper.hpp"
 #include "sim/artifact_cache.hpp"
@@ -104,6 +105,20 @@ bool succeeds(const std::vector<std::string>& words, const fs::path& directory, 
     throw ToolError(
         fmt::format("{} is not there; Debian's packages are yosys and nextpnr-ice40", words.front()));
   }
+}
+
+/// A line a tool that an estimate comes from; with other tools it would be another.
+std::string versions_of_tools(int seeds) {
+  std::string lines;
+  for (const char* tool : {"yosys", "nextpnr-ice40"}) {
+    if (seeds == 0 && tool != std::string_view("yosys")) continue;
+    try {
+      lines += sim::version_of(tool);
+    } catch (const std::runtime_error&) {
+      throw ToolError(fmt::format("{} is not there; Debian's packages are yosys and nextpnr-ice40", tool));
+    }
+  }
+  return lines;
 }
 
 /// One unit's runs in a folder of its own.
@@ -247,7 +262,8 @@ Estimator::Estimator(sim::Toolchain tools)
 Result<UnitEstimate> Estimator::estimate(const Unit& unit, int seeds) try {
   const std::vector<std::string> files = files_of(unit, tools_.rtl_dir, listed_);
   std::string manifest = fmt::format("area method {}, {} seeds, {}\n{} {}\n", kMethod, seeds, kPlacing,
-                                     unit.module, settings_of(unit));
+                                     unit.module, settings_of(unit)) +
+                         versions_of_tools(seeds);
   for (const std::string& file : files)
     manifest += fmt::format("{} {}\n", file, sim::content_hash(sim::read_file(tools_.rtl_dir / file)));
   manifest += sim::content_hash(sim::read_file(tools_.rtl_dir / "common" / "assertions.svh"));

@@ -97,6 +97,23 @@ TEST_F(AreaTest, PlacesItWithSeveralSeedsAndKeepsWhatItFound) {
   EXPECT_EQ(another.runs(), 1);
 }
 
+TEST_F(AreaTest, ToolsOfAnotherVersionAreAskedAgain) {
+  Estimator estimator(tools_);
+  ASSERT_TRUE(estimator.estimate(tiny(8), 0));
+  const std::string path = std::getenv("PATH");
+  fs::create_directories(root_ / "bin");
+  const fs::path another = root_ / "bin" / "yosys";
+  std::ofstream(another) << "#!/bin/sh\nPATH='" << path
+                         << "'\n[ \"$1\" = --version ] && exec echo another\nexec yosys \"$@\"\n";
+  fs::permissions(another, fs::perms::owner_all);
+  setenv("PATH", ((root_ / "bin").string() + ":" + path).c_str(), 1);
+  EXPECT_TRUE(estimator.estimate(tiny(8), 0));
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(estimator.runs(), 2);
+  EXPECT_TRUE(estimator.estimate(tiny(8), 0));
+  EXPECT_EQ(estimator.runs(), 2);
+}
+
 TEST_F(AreaTest, SaysWhatTheToolSays) {
   Estimator estimator(tools_);
   write("tiny/tiny.sv", "module tiny (input logic clk_i; endmodule\n");
