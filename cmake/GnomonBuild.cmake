@@ -44,3 +44,9 @@ if(GNOMON_TIDY)
   find_program(CLANG_TIDY_PROGRAM clang-tidy REQUIRED)
   set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY_PROGRAM} --quiet)
 endif()
+
+# For folders whose code is compiled more often than it runs long, plumbing and tests: the calling folder and those below are
+# compiled at -O1, which takes two thirds of the time.
+macro(gnomon_compile_quickly)
+  string(REPLACE "-O3" "-O1" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
+endmacro()
