@@ -54,8 +54,8 @@ MapPlan with_side(MapPlan plan, int side) {
 }
 
 int side_within(std::uint64_t bits, std::uint64_t texel_bytes) {
-  const auto texels = static_cast<double>(bits / (8 * texel_bytes));
-  return std::max(1, static_cast<int>(std::floor(std::sqrt(texels))));
+  const std::uint64_t texels = bits / (8 * texel_bytes);
+  return std::max(1, static_cast<int>(std::floor(std::sqrt(static_cast<double>(texels)))));
 }
 
 DepthMap::DepthMap(const MapPlan& plan, const Cast& cast) : plan_(plan) {

@@ -15,7 +15,7 @@ namespace {
 
 class MapTechnique final : public SoftwareTechnique {
  public:
-  MapTechnique(const TechniqueInput& input, compare::MapPlan plan, std::vector<bool> casts, int kernel)
+  MapTechnique(const TechniqueInput& input, const compare::MapPlan& plan, std::vector<bool> casts, int kernel)
       : SoftwareTechnique(input, plan.depth_bits), plan_(plan), casts_(std::move(casts)), kernel_(kernel) {}
 
   double pitch() const override { return plan_.plane.pitch; }
