@@ -3,6 +3,7 @@
 // docs/area.md.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -43,7 +44,7 @@ struct UnitEstimate {
       clock;  ///< of one by itself, with multipliers in logic; nothing if it was not asked for
 };
 
-/// The modules of `unit` in the files that rtl_dir's gnomon.f names.
+/// The modules of `unit` in the files that rtl_dir's gnomon.f names. Thread-safe.
 class Estimator {
  public:
   /// Throws std::runtime_error where no cache can be made.
@@ -58,7 +59,7 @@ class Estimator {
  private:
   sim::Toolchain tools_;
   std::vector<std::string> listed_;  ///< files of gnomon.f
-  int runs_ = 0;
+  std::atomic<int> runs_ = 0;
 };
 
 }  // namespace gnomon::area

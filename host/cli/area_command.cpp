@@ -2,57 +2,18 @@
 // gnomon area: cells and clocks of the datapaths of a parameter set, estimated.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "host/area/estimate.hpp"
+#include "host/area/area.hpp"
+#include "host/cli/area_hardware.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/progress.hpp"
-#include "host/cli/run_settings.hpp"
 #include "host/cli/scene_input.hpp"
-#include "host/plan/plan_registers.hpp"
 
 namespace gnomon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kSlbPlaneLog2 = 8;  ///< unless the parameters say
-
-/// Widths as the planner has them for this grid.
-golden::HardwareConfig with_projection(golden::HardwareConfig hardware, const pipeline::RunSettings& run) {
-  voxel::VoxelSet none;
-  none.grid.res = run.res;
-  const golden::HardwareConfig planned = plan::hardware_for(none, run.vpu);
-  hardware.voxel_bits = planned.voxel_bits;
-  hardware.voxel_frac_bits = planned.voxel_frac_bits;
-  hardware.normal_bits = planned.normal_bits;
-  hardware.matrix_frac_bits = planned.matrix_frac_bits;
-  if (run.vpu.plane_log2 > 0) hardware.plane_log2 = run.vpu.plane_log2;
-  return hardware;
-}
-
-/// The hardware of a technique where no scene says more.
-Result<golden::HardwareConfig> hardware_of(const config::Settings& settings, const std::string& technique) {
-  const pipeline::RunSettings run = run_settings(settings);
-  golden::HardwareConfig hardware;
-  hardware.en_vpu_offset = false;
-  if (technique.starts_with("slb"))
-    hardware = run.slb.hardware(run.slb.plane_log2 > 0 ? run.slb.plane_log2 : kSlbPlaneLog2);
-  hardware.depth_bits = run.vpu.depth_bits;
-  hardware.en_vpu_offset = technique == "voxel-offset" || technique == "slb+voxel";
-  hardware.en_vpu_topology = technique == "voxel-topology";
-  if (hardware.en_vpu_topology) {
-    hardware.sub_bits = run.topology.sub_bits;
-    hardware.span_log2 = run.topology.span_log2;
-    if (run.topology.nodes_log2 > 0) hardware.nodes_log2 = run.topology.nodes_log2;
-    if (run.topology.quads_log2 > 0) hardware.quads_log2 = run.topology.quads_log2;
-  }
-  if (hardware.en_vpu_offset || hardware.en_vpu_topology) hardware = with_projection(hardware, run);
-  if (const auto problem = hardware.check()) return fail(*problem);
-  return hardware;
-}
 
 Json cells_json(const area::Cells& c) {
   return {{"luts", c.luts},
@@ -75,20 +36,6 @@ std::string clock_text(const std::optional<area::Clock>& clock) {
   return fmt::format("{:.1f} ({:.1f}..{:.1f})", clock->median(), clock->lowest(), clock->highest());
 }
 
-/// All estimates of a configuration.
-struct Area {
-  std::vector<area::UnitEstimate> units;
-  area::Cells sum;
-
-  /// The lowest of the medians; nothing where no unit has one.
-  std::optional<double> clock_mhz() const {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const area::UnitEstimate& unit : units)
-      if (unit.clock && unit.clock->fits()) lowest = std::min(lowest, unit.clock->median());
-    return lowest < std::numeric_limits<double>::infinity() ? std::optional(lowest) : std::nullopt;
-  }
-};
-
 class AreaCommand : public Command {
  public:
   CLI::App* add_to(CLI::App& program) override {
@@ -107,7 +54,7 @@ class AreaCommand : public Command {
     const Result<config::Settings> settings = load_settings(set_);
     if (!settings) return tl::make_unexpected(settings.error());
     const std::string technique = settings->words("technique").front();
-    const auto hardware = hardware_of(*settings, technique);
+    const auto hardware = area_hardware(*settings, technique);
     if (!hardware) return tl::make_unexpected(hardware.error());
     const std::vector<area::Unit> units = area::units_of(*hardware);
     if (units.empty()) return fail(fmt::format("technique={} has no hardware", technique));
@@ -122,22 +69,21 @@ class AreaCommand : public Command {
   }
 
  private:
-  Result<Area> estimate(Context& context, const std::vector<area::Unit>& units) const {
+  Result<area::Area> estimate(Context& context, const std::vector<area::Unit>& units) const {
     ProgressLine line(context.show_progress);
     area::Estimator estimator;
-    Area all;
+    area::Area all;
     for (const area::Unit& unit : units) {
       if (context.interruption.flag().load()) throw Interrupted();
       line.update(unit.module, static_cast<double>(all.units.size()) / static_cast<double>(units.size()));
       auto one = estimator.estimate(unit, seeds_);
       if (!one) return tl::make_unexpected(one.error());
-      all.sum += one->cells * static_cast<std::uint64_t>(unit.count);
-      all.units.push_back(std::move(*one));
+      all.add(std::move(*one));
     }
     return all;
   }
 
-  static void print_table(const std::string& technique, const Area& all) {
+  static void print_table(const std::string& technique, const area::Area& all) {
     fmt::print("{}, iCE40 (estimates; memories are not counted)\n", technique);
     fmt::print("{:<22}{:>7}{:>9}{:>8}{:>6}{:>6}  {}\n", "unit", "LUT4", "carries", "FF", "DSP", "RAM",
                "alone on HX8K, MHz: median (range)");
@@ -152,7 +98,7 @@ class AreaCommand : public Command {
     row("all", all.sum, all.clock_mhz() ? fmt::format("at most {:.1f}", *all.clock_mhz()) : "");
   }
 
-  static void print_json(const std::string& technique, const Area& all) {
+  static void print_json(const std::string& technique, const area::Area& all) {
     Json units = Json::array();
     for (const area::UnitEstimate& one : all.units) {
       Json parameters = Json::object();

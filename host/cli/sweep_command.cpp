@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -13,11 +12,12 @@
 #include "host/cli/progress.hpp"
 #include "host/cli/run_settings.hpp"
 #include "host/cli/scene_input.hpp"
+#include "host/cli/sweep_area.hpp"
 #include "host/cli/sweep_slurm.hpp"
+#include "host/cli/sweep_tasks.hpp"
 #include "host/cli/versions.hpp"
 #include "host/scene/scene_file.hpp"
 #include "host/sweep/figures.hpp"
-#include "host/sweep/key.hpp"
 #include "host/sweep/page.hpp"
 #include "host/sweep/plots.hpp"
 #include "host/sweep/runner.hpp"
@@ -28,68 +28,6 @@ namespace gnomon::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kResults = "results.sqlite";
-
-/// "i/n" of --shard.
-struct Shard {
-  std::size_t index = 0;  ///< from 0
-  std::size_t count = 1;
-
-  static Result<Shard> parse(const std::string& text) {
-    if (text.empty()) return Shard{};
-    Shard shard;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, shard.index);
-    const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-    const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
-    if (!slash || second.ec != std::errc() || second.ptr != end || shard.index < 1 ||
-        shard.index > shard.count)
-      return fail(fmt::format("--shard {}: expected i/n, 1 <= i <= n", text));
-    --shard.index;
-    return shard;
-  }
-  std::string file() const {
-    return count == 1 ? kResults : fmt::format("shard-{}-of-{}.sqlite", index + 1, count);
-  }
-};
-
-/// The files whose content makes a scene.
-Result<std::vector<fs::path>> files_of(const fs::path& scene) {
-  std::vector<fs::path> files{scene};
-  if (!scene::is_scene_file(scene)) return files;
-  const Result<scene::SceneFile> file = scene::read_scene_file(scene);
-  if (!file) return tl::make_unexpected(file.error());
-  for (const scene::SceneFile::Model& model : file->models) files.push_back(model.path);
-  return files;
-}
-
-Result<std::vector<sweep::Task>> tasks_of(const sweep::Spec& spec) {
-  std::vector<std::vector<config::Assignment>> parameters;
-  std::vector<std::string> hashes;
-  for (const fs::path& scene : spec.scenes) {
-    auto own = scene::scene_parameters(scene);
-    if (!own) return tl::make_unexpected(own.error());
-    parameters.push_back(std::move(*own));
-    const auto files = files_of(scene);
-    if (!files) return tl::make_unexpected(files.error());
-    try {
-      hashes.push_back(sweep::scene_hash(*files));
-    } catch (const std::runtime_error& problem) {
-      return fail(problem.what());
-    }
-  }
-  auto points = sweep::expand(spec, parameters);
-  if (!points) return tl::make_unexpected(points.error());
-  const std::string version = versions().front().second;
-  std::vector<sweep::Task> tasks;
-  for (sweep::Point& point : *points) {
-    std::string key = sweep::point_key(hashes[point.scene], point.settings, version);
-    fs::path scene = spec.scenes[point.scene];
-    tasks.push_back({std::move(point), std::move(key), std::move(scene)});
-  }
-  return tasks;
-}
 
 class SweepCommand : public Command {
  public:
@@ -121,7 +59,8 @@ class SweepCommand : public Command {
     command->add_flag("--extend", extend_, "Add to the results of another specification");
     command->add_flag("--plots", plots_, "Write every plot as SVG and PNG into the folder plots");
     command->add_flag("--json", json_, "Print how many points were measured as JSON");
-    slurm_.add_to(*command, {shard, merge, confirm});
+    area_.add_to(*command, {shard});
+    slurm_.add_to(*command, {shard, merge, confirm, command->get_option("--area")});
     command->footer("Example:\n  gnomon sweep scenes/sweeps/widths.toml -o out/widths");
     return command;
   }
@@ -149,12 +88,14 @@ class SweepCommand : public Command {
   }
 
  private:
-  static sweep::SweepRecord record_of(const sweep::Spec& spec) {
-    return {spec.name, spec.text, versions().front().second, sweep::now()};
+  /// Another engine's results are those of another specification.
+  sweep::SweepRecord record_of(const sweep::Spec& spec) const {
+    const std::string engine = engine_ == "golden" ? "" : fmt::format("# --engine {}\n", engine_);
+    return {spec.name, engine + spec.text, versions().front().second, sweep::now()};
   }
 
   SlurmRequest slurm_request(const std::vector<sweep::Task>& all) const {
-    SlurmRequest request{spec_, output_, jobs_, {"--engine", engine_}, {}, {}};
+    SlurmRequest request{spec_, output_, jobs_, {"--engine", engine_}, {"--engine", engine_}, {}};
     if (retry_) request.shard_flags.emplace_back("--retry");
     if (extend_) {
       request.shard_flags.emplace_back("--extend");
@@ -195,7 +136,7 @@ class SweepCommand : public Command {
   sweep::RunnerOptions runner_options(Context& context) const {
     sweep::RunnerOptions options;
     options.jobs = jobs_;
-    options.task.engine = engine_ == "golden" ? pipeline::EngineKind::Golden : pipeline::EngineKind::Rtl;
+    options.task.engine = *pipeline::engine_of(engine_);
     options.task.load = [](const fs::path& path, const config::Settings& settings) {
       return scene::load_scene(path, scene_options(settings));
     };
@@ -230,6 +171,7 @@ class SweepCommand : public Command {
     std::size_t left = 0;
     double seconds = 0;
     sweep::RunnerCounts measured, confirmed;
+    SweepArea::Counts area;
   };
 
   Result<int> finish(Context& context, const Job& job, sweep::Store& store) const {
@@ -245,6 +187,11 @@ class SweepCommand : public Command {
       std::ranges::copy_if(job.all, std::back_inserter(some),
                            [&](const sweep::Task& task) { return chosen.contains(task.key); });
       outcome.confirmed = each(context, "confirming", some, store, sweep::confirm_tasks);
+    }
+    if (area_.asked()) {
+      const auto area = area_.run(context, job.all, store, jobs_);
+      if (!area) return tl::make_unexpected(area.error());
+      outcome.area = *area;
     }
     if (job.shard.count == 1) {
       if (auto done = write_report(context, job.spec.name, store.rows()); !done)
@@ -279,11 +226,13 @@ class SweepCommand : public Command {
     const double rate = outcome.seconds > 0 ? static_cast<double>(measured) / outcome.seconds : 0;
     const fs::path result = output_ / (job.shard.count == 1 ? "report.html" : job.shard.file());
     if (json_) {
-      const nlohmann::ordered_json figures{{"points", job.all.size()},    {"measured", counts.done},
-                                           {"failed", counts.failed},     {"missing", outcome.left},
-                                           {"seconds", outcome.seconds},  {"points_per_second", rate},
-                                           {"scenes", counts.scenes},     {"confirmed", confirmed.done},
-                                           {"flagged", confirmed.failed}, {"output", result.string()}};
+      const nlohmann::ordered_json figures{
+          {"points", job.all.size()},    {"measured", counts.done},
+          {"failed", counts.failed},     {"missing", outcome.left},
+          {"seconds", outcome.seconds},  {"points_per_second", rate},
+          {"scenes", counts.scenes},     {"confirmed", confirmed.done},
+          {"flagged", confirmed.failed}, {"area_points", outcome.area.points},
+          {"output", result.string()}};
       fmt::print("{}\n", figures.dump(2));
       return;
     }
@@ -291,9 +240,13 @@ class SweepCommand : public Command {
                job.all.size(), outcome.seconds, rate, counts.failed, outcome.left);
     if (!job.selection.empty())
       fmt::print("{} points confirmed on the hardware, {} flagged\n", confirmed.done, confirmed.failed);
+    if (area_.asked())
+      fmt::print("{} points with an area, of {} units; {} of them estimated now\n", outcome.area.points,
+                 outcome.area.units, outcome.area.runs);
     fmt::print("{}\n", result.string());
   }
 
+  SweepArea area_;
   SweepSlurm slurm_;
   fs::path spec_, output_;
   unsigned jobs_ = 0;

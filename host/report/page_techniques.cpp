@@ -122,6 +122,12 @@ void add_costs(const Json& techniques, Json& rows) {
     const Json& cycles = t.at("run_time").at("cycles");
     return cycles.is_null() ? kNone : count(cycles);
   });
+  add("cycles predicted; off", [](const Json& t) {
+    const Json& predicted = t.at("cycles_predicted");
+    if (predicted.is_null()) return kNone;
+    return fmt::format("{}; {}", count(predicted.at("total")),
+                       predicted.at("off").is_null() ? kNone : count(predicted.at("off")));
+  });
   add("time at the clock", [](const Json& t) { return seconds(t.at("run_time").at("seconds_at_clock")); });
   const auto memory = [](const char* key) {
     return [key](const Json& t) {

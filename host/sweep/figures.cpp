@@ -19,7 +19,7 @@
 namespace gnomon::sweep {
 namespace {
 
-constexpr std::array<Figure, 13> kPlotted{{
+constexpr std::array<Figure, 18> kPlotted{{
     {"errors.fixed.boundary_displacement", "border displaced by, plane entries"},
     {"errors.fixed.border_voxels", "border displaced by, voxels"},
     {"errors.fixed.ground.boundary_displacement", "ground border displaced by, plane entries"},
@@ -27,13 +27,20 @@ constexpr std::array<Figure, 13> kPlotted{{
     {"errors.fixed.unambiguous.share", "mislabelled unambiguous voxels, share"},
     {"model.cycles", "cycles, predicted"},
     {"rtl.cycles", "cycles of the hardware"},
+    {"system.cycles", "cycles of the whole system"},
     {"memory.format_bits", "memory, bits of the formats"},
     {"memory.hardware_bits", "memory, bits as stored"},
+    {"area.luts", "area, four-input tables (iCE40, estimated)"},
+    {"area.dsps", "area, multipliers (iCE40, estimated)"},
+    {"area.period_ns", "clock period, ns (HX8K, estimated)"},
+    {"area.seconds", "time at the estimated clock, seconds"},
     {"seconds.golden", "golden engine, wall seconds"},
     {"seconds.rtl", "rtl engine, wall seconds"},
     {"seconds.software", "software technique, wall seconds"},
     {"seconds.host", "host, wall seconds"},
 }};
+
+constexpr const char* kArea = "area.luts";
 
 std::optional<double> number(const std::string& text) {
   double value = 0;
@@ -60,13 +67,16 @@ std::string line_of(const std::vector<std::string>& cells) {
   return line;
 }
 
-/// Error and memory; not a number where the row has no such figure or failed.
-std::vector<double> objectives_of(const Row& row) {
+bool has(const Row& row, const char* figure) {
+  return !row.failed() && row.figures.contains(figure);
+}
+
+/// Not a number where the row has no such figure or failed.
+std::vector<double> objectives_of(const Row& row, const std::vector<const char*>& names) {
   std::vector<double> values;
-  for (const char* name : {"errors.fixed.border_voxels", "memory.format_bits"}) {
+  for (const char* name : names) {
     const auto figure = row.figures.find(name);
-    const bool known = !row.failed() && figure != row.figures.end();
-    values.push_back(known ? figure->second : std::numeric_limits<double>::quiet_NaN());
+    values.push_back(has(row, name) ? figure->second : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }
@@ -120,8 +130,11 @@ std::vector<bool> on_front(const std::vector<Row>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) scenes[rows[i].scene].push_back(i);
   std::vector<bool> on(rows.size(), false);
   for (const auto& [scene, members] : scenes) {
+    std::vector<const char*> names{"errors.fixed.border_voxels", "memory.format_bits"};
+    if (std::ranges::any_of(members, [&](std::size_t i) { return has(rows[i], kArea); }))
+      names.push_back(kArea);
     std::vector<std::vector<double>> objectives;
-    for (const std::size_t i : members) objectives.push_back(objectives_of(rows[i]));
+    for (const std::size_t i : members) objectives.push_back(objectives_of(rows[i], names));
     const std::vector<bool> front = pareto_front(objectives);
     for (std::size_t k = 0; k < members.size(); ++k) on[members[k]] = front[k];
   }

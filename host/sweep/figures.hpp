@@ -34,7 +34,8 @@ std::string parameter_text(const Row& row, const std::string& key);
 /// The published encodings: technique slb with 4 or 7 bits for both fraction and slope.
 bool is_published(const Row& row);
 
-/// For each row, whether it is on its scene's front of border displacement (voxels) and memory bits.
+/// For each row, whether it is on its scene's front of border displacement (voxels), memory bits and, where
+/// any of the scene's rows has one, area.
 std::vector<bool> on_front(const std::vector<Row>& rows);
 
 /// One line a done point: scene, 1 for the front, every varied parameter, every figure that some point has,

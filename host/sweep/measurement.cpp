@@ -14,9 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The parts of metrics.json that hold figures; the others say what was run.
-constexpr std::array<std::string_view, 12> kParts{"errors",   "quantisation", "cycles",   "run_time",
-                                                  "memory",   "plane",        "topology", "slb",
-                                                  "software", "voxels",       "events",   "compare"};
+constexpr std::array<std::string_view, 13> kParts{"errors", "quantisation", "cycles", "run_time", "memory",
+                                                  "plane",  "topology",     "slb",    "software", "voxels",
+                                                  "events", "compare",      "system"};
 
 /// Figures of the host and of the simulation, which no two runs have in common.
 bool measures_time(const std::string& name) {
@@ -48,7 +48,7 @@ void add_stages(const Json& stages, std::map<std::string, double>& figures) {
       figures["seconds.golden"] = seconds;
     } else if (name == "software technique") {
       figures["seconds.software"] = seconds;
-    } else if (name == "rtl engine") {
+    } else if (name == "rtl engine" || name == "system engine") {
       figures["seconds.rtl"] = seconds;
     } else if (name != "rtl model") {  // compiled once, for all who come after
       host += seconds;

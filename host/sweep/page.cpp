@@ -55,12 +55,17 @@ std::string choose(const std::vector<Figure>& figures, std::initializer_list<std
   return figures.empty() ? "" : std::string(figures[std::min(otherwise, figures.size() - 1)].name);
 }
 
+std::string choose_or_none(const std::vector<Figure>& figures, std::string_view wanted) {
+  return std::ranges::find(figures, wanted, &Figure::name) == figures.end() ? "" : std::string(wanted);
+}
+
 Json data_of(const std::vector<Row>& done) {
   const std::vector<Varied> varied = varied_parameters(done);
   const std::vector<Figure> figures = present_figures(done);
   Json data = {{"points", Json::array()}, {"figures", Json::array()}, {"axes", Json::array()}};
   data["y"] = choose(figures, {"errors.fixed.border_voxels", "errors.fixed.boundary_displacement"}, 0);
   data["x"] = choose(figures, {"memory.format_bits", "memory.hardware_bits", "model.cycles"}, 1);
+  data["z"] = choose_or_none(figures, "area.luts");
   for (const Figure& figure : figures)
     data["figures"].push_back({{"name", figure.name}, {"label", figure.label}});
   for (const Varied& parameter : varied)

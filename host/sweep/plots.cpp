@@ -24,8 +24,9 @@ constexpr const char* kError = "errors.fixed.border_voxels";
 /// Growth is told where theory tells it: in the plane's pixels, where nothing but the buffer's own errors
 /// are.
 constexpr const char* kGrowingError = "errors.fixed.ground.boundary_displacement";
-constexpr std::array<const char*, 6> kCosts{"memory.format_bits", "memory.hardware_bits", "model.cycles",
-                                            "rtl.cycles",         "seconds.golden",       "seconds.rtl"};
+constexpr std::array<const char*, 10> kCosts{
+    "memory.format_bits", "memory.hardware_bits", "model.cycles", "rtl.cycles",     "system.cycles",
+    "seconds.golden",     "seconds.rtl",          "area.luts",    "area.period_ns", "area.seconds"};
 constexpr std::array<const char*, 3> kGrowth{"frac_bits", "slope_bits", "frags"};
 
 std::optional<double> figure(const Row& row, const std::string& name) {

@@ -119,11 +119,13 @@ Result<report::RunRecord> SharedScene::run(const pipeline::RunRequest& request) 
 Result<Measurement> SharedScene::by_run(const pipeline::RunRequest& request) {
   const auto record = run(request);
   if (!record) return tl::make_unexpected(record.error());
+  if (!record->compare.partial.empty()) throw metrics::Cancelled();
   if (record->compare.failed()) return fail("golden and rtl differ: " + report::verdict(record->compare));
   Measurement measured = figures_of(*record);
   // A software technique counts its own; ray casting has none.
   const Cycles model = record->software ? named(record->cycles) : record->predicted_cycles;
   if (!model.empty()) add(measured, cycle_figures("model", model));
+  if (record->compare.compared) add(measured, cycle_figures("rtl", named(record->cycles)));
   return measured;
 }
 

@@ -36,18 +36,23 @@ constexpr sqlite3_int64 kSchemaNumber = 1;
 constexpr sqlite3_int64 kApplication = 0x476e6f6d;
 constexpr int kBusyMilliseconds = 60000;
 
-bool measures_time(const std::string& figure) {
-  return figure.starts_with("seconds.") || figure.starts_with("host.");
+/// Wall times, which no two measurements share; and what a confirmation or an estimate of the area has added
+/// to a point that was measured.
+bool is_compared(const std::string& figure) {
+  for (const char* prefix : {"seconds.", "host.", "rtl.", "confirm.", "area."}) {
+    if (figure.starts_with(prefix)) return false;
+  }
+  return true;
 }
 
-/// The first figure but for wall times that only one has or that differs; empty if there is none.
+/// The first figure that is compared and that only one has or that differs; empty if there is none.
 std::string difference(const Row& a, const Row& b) {
   for (const auto& [name, value] : a.figures) {
     const auto other = b.figures.find(name);
-    if (!measures_time(name) && (other == b.figures.end() || other->second != value)) return name;
+    if (is_compared(name) && (other == b.figures.end() || other->second != value)) return name;
   }
   for (const auto& [name, value] : b.figures) {
-    if (!measures_time(name) && !a.figures.contains(name)) return name;
+    if (is_compared(name) && !a.figures.contains(name)) return name;
   }
   return {};
 }
@@ -168,11 +173,22 @@ void Store::insert_figures(std::int64_t id, const std::map<std::string, double>&
 }
 
 void Store::amend(const std::string& key, const std::map<std::string, double>& figures,
-                  const std::map<std::string, std::string>& labels) {
+                  const std::map<std::string, std::string>& labels, const std::string& instead_of) {
   Transaction transaction(database_.get());
   Statement point(database_.get(), "SELECT id FROM point WHERE key = ?");
   if (!point.bind(1, key).step()) throw std::logic_error("a point that is not there is amended");
-  insert_figures(point.integer(0), figures, labels);
+  const sqlite3_int64 id = point.integer(0);
+  if (!instead_of.empty()) {
+    for (const char* table : {"figure", "label"}) {
+      Statement(database_.get(),
+                fmt::format("DELETE FROM {} WHERE point = ? AND substr(name, 1, ?) = ?", table).c_str())
+          .bind(1, id)
+          .bind(2, static_cast<sqlite3_int64>(instead_of.size()))
+          .bind(3, instead_of)
+          .step();
+    }
+  }
+  insert_figures(id, figures, labels);
   transaction.commit();
 }
 

@@ -53,15 +53,17 @@ class Store {
   std::map<std::string, bool> keys() const;
   /// One transaction; replaces a point of the same key. Figures that are not finite are left out.
   void put(const Row& row);
-  /// Adds to a point that is there, or replaces what it has of these names. One transaction.
+  /// Adds to a point that is there, or replaces what it has of these names, and of all names that start with
+  /// `instead_of` if that is not empty. One transaction.
   void amend(const std::string& key, const std::map<std::string, double>& figures,
-             const std::map<std::string, std::string>& labels);
+             const std::map<std::string, std::string>& labels, const std::string& instead_of = {});
   /// By id: the order in which they were put.
   std::vector<Row> rows() const;
   SweepRecord sweep() const;
 
   /// Takes over another file's points. Fails, and changes nothing, where both hold a done point whose figures
-  /// differ in more than wall time (figures named "seconds.*" and "host.*").
+  /// differ in more than wall time (figures named "seconds.*" and "host.*") and what was added later
+  /// ("rtl.*", "confirm.*", "area.*").
   Result<MergeCounts> merge(const Store& other);
 
  private:

@@ -28,22 +28,22 @@
   const visible = () => data.points.filter((p) => p.scene === $("scene").value &&
     keys.every((k) => chosen[k].has(p.configuration[k])) && p.figures[$("x").value] !== undefined && p.figures[$("y").value] !== undefined);
 
-  /// The same rule as host/sweep/front.hpp, over what is visible.
-  const frontOf = (points, x, y) => {
-    const sorted = [...points].sort((a, b) => a.figures[x] - b.figures[x] || a.figures[y] - b.figures[y]);
+  /// The same rule as host/sweep/front.hpp, over what is visible: what comes later in this order beats nothing before it.
+  const frontOf = (points, names) => {
+    const known = points.filter((p) => names.every((n) => p.figures[n] !== undefined));
+    const difference = (a, b) => names.reduce((d, n) => d || a.figures[n] - b.figures[n], 0);
+    const beats = (a, b) => names.every((n) => a.figures[n] <= b.figures[n]) && difference(a, b) !== 0;
     const front = [];
-    let best = Infinity, at = null;
-    for (const p of sorted) {
-      const [px, py] = [p.figures[x], p.figures[y]];
-      if (py < best) { best = py; at = px; front.push(p); } else if (py === best && px === at) front.push(p);
-    }
+    for (const p of known.sort(difference)) if (!front.some((f) => beats(f, p))) front.push(p);
     return front;
   };
 
-  const logarithmic = (values) => values.length > 1 && Math.min(...values) > 0 && Math.max(...values) / Math.min(...values) > 8;
+  /// Lowest and highest; a call with a value an argument would end at some 100,000.
+  const ends = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
+  const logarithmic = (values) => { const [low, high] = ends(values); return values.length > 1 && low > 0 && high / low > 8; };
   const scale = (values) => (logarithmic(values) ? { distr: 3 } : {});
   const range = (values) => {
-    const [low, high] = [Math.min(...values), Math.max(...values)];
+    const [low, high] = ends(values);
     if (logarithmic(values)) return [low / 1.25, high * 1.25];
     const margin = (high - low || Math.abs(high) || 1) * 0.05;
     return [low - margin, high + margin];
@@ -68,7 +68,7 @@
   };
 
   /// Points in groups, a line through the front; one point is told apart by hovering.
-  const scatter = (points, front, x, y) => {
+  const scatter = (points, front, line, x, y) => {
     const colourKey = $("colour").value;
     const groups = colourKey ? data.axes.find((a) => a.key === colourKey).values.filter((v) => points.some((p) => p.configuration[colourKey] === v)) : [""];
     const onFront = new Set(front);
@@ -113,7 +113,7 @@
       u.ctx.lineWidth = 1.5 * devicePixelRatio;
       u.ctx.beginPath();
       let before = null;
-      for (const p of front) {
+      for (const p of line) {
         const at = [u.valToPos(p.figures[x], "x", true), u.valToPos(p.figures[y], "y", true)];
         if (before === null) u.ctx.moveTo(...at); else { u.ctx.lineTo(at[0], before[1]); u.ctx.lineTo(...at); }
         before = at;
@@ -141,12 +141,12 @@
     plots.push(plot);
   };
 
-  const frontTable = (front, x, y) => {
+  const frontTable = (front, names) => {
     const head = document.createElement("tr");
-    for (const text of [labels[x], labels[y], ...keys, "command"]) head.append(cell("th", text));
+    for (const text of [...names.map((n) => labels[n]), ...keys, "command"]) head.append(cell("th", text));
     const rows = front.map((p) => {
       const row = document.createElement("tr");
-      row.append(cell("th", number(p.figures[x])), cell("td", number(p.figures[y])), ...keys.map((k) => cell("td", p.configuration[k])));
+      row.append(cell("th", number(p.figures[names[0]])), ...names.slice(1).map((n) => cell("td", number(p.figures[n]))), ...keys.map((k) => cell("td", p.configuration[k])));
       const command = document.createElement("td");
       command.append(cell("code", `gnomon run ${p.flags}`));
       row.append(command);
@@ -191,10 +191,11 @@
     plots.forEach((p) => p.destroy());
     plots = [];
     tip.hidden = true;
-    const [x, y] = [$("x").value, $("y").value];
-    const points = visible(), front = frontOf(points, x, y);
-    scatter(points, front, x, y);
-    frontTable(front, x, y);
+    const [x, y, z] = [$("x").value, $("y").value, $("z").value];
+    const names = [...new Set([x, y, z].filter((n) => n))];
+    const points = visible(), front = frontOf(points, names);
+    scatter(points, front, frontOf(points, [x, y]), x, y);
+    frontTable(front, names);
     growth(points, $("error").value);
     $("count").textContent = `${points.length} of ${data.points.filter((p) => p.scene === $("scene").value).length} points shown, ${front.length} on the front${data.points.some((p) => p.mark) ? "; ringed: the published encodings" : ""}`;
   };
@@ -202,6 +203,7 @@
   fill($("scene"), data.scenes.map((s) => [s, s]));
   fill($("x"), data.figures.map((f) => [f.name, f.label]), data.x);
   fill($("y"), data.figures.map((f) => [f.name, f.label]), data.y);
+  fill($("z"), [["", "nothing else"], ...data.figures.map((f) => [f.name, f.label])], data.z);
   fill($("error"), data.figures.filter((f) => f.name.startsWith("errors.")).map((f) => [f.name, f.label]), ["errors.fixed.ground.boundary_displacement", data.y].find((n) => labels[n]));
   fill($("colour"), [["", "nothing"], ...keys.map((k) => [k, k])], keys.includes("technique") ? "technique" : keys[0] ?? "");
   const numeric = data.axes.filter((a) => a.values.length > 1 && a.values.every((v) => v !== "" && !Number.isNaN(+v))).map((a) => a.key);
@@ -225,7 +227,7 @@
     }
     return set;
   }));
-  for (const id of ["scene", "x", "y", "colour", "dominated", "error", "axis", "series"]) $(id).addEventListener("change", draw);
+  for (const id of ["scene", "x", "y", "z", "colour", "dominated", "error", "axis", "series"]) $(id).addEventListener("change", draw);
   let resized = 0;
   addEventListener("resize", () => { clearTimeout(resized); resized = setTimeout(draw, 150); });
   draw();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cells and clocks of a tiny module of known size; units and wrapper as text.
+#include "host/area/area.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "host/area/estimate.hpp"
 #include "host/area/wrapper.hpp"
 
 namespace gnomon::area {
@@ -129,6 +130,20 @@ TEST(Clock, HasAMedianAndARange) {
   EXPECT_EQ(four.lowest(), 10);
   EXPECT_EQ(four.highest(), 40);
   EXPECT_FALSE(Clock().fits());
+}
+
+TEST(Area, SumsItsUnitsAndIsAsSlowAsTheSlowest) {
+  Area area;
+  EXPECT_FALSE(area.all_placed());
+  EXPECT_FALSE(area.clock_mhz());
+  area.add({{"a", 2, {}}, {10, 1, 3, 1, 0}, Clock{{50, 70, 60}, 100, 7680}});
+  area.add({{"b", 1, {}}, {5, 0, 0, 0, 0}, Clock{{40, 45}, 100, 7680}});
+  EXPECT_EQ(area.sum, (Cells{25, 2, 6, 2, 0}));
+  EXPECT_EQ(area.clock_mhz(), 42.5);
+  EXPECT_TRUE(area.all_placed());
+  area.add({{"c", 1, {}}, {9000, 0, 0, 0, 0}, Clock{{}, 9000, 7680}});
+  EXPECT_EQ(area.clock_mhz(), 42.5) << "of those that have one";
+  EXPECT_FALSE(area.all_placed());
 }
 
 TEST(Wrapper, ConnectsEveryBitOnce) {

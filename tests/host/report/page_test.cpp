@@ -159,6 +159,32 @@ TEST(Page, GoldenAloneClaimsNoComparisonAndNoCycles) {
   EXPECT_THAT(html, HasSubstr("not simulated"));
 }
 
+TEST(Page, PredictedCyclesStandBesideThoseTaken) {
+  RunRecord record = sample_record();
+  EXPECT_THAT(page_of(record), Not(HasSubstr("cycle model")));
+  record.predicted_cycles = {{"cycles.IDLE.IDLE", 0},
+                             {"cycles.CLEAR.BUSY", 4096},
+                             {"cycles.PROJECT.BUSY", 217004},
+                             {"cycles.PROJECT.HAZARD", 133},
+                             {"cycles.RESOLVE.BUSY", 217000}};
+  const std::string html = page_of(record);
+  EXPECT_THAT(html, HasSubstr("438,233 cycles, 1,936 off"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"col\">predicted</th><th scope=\"col\">off by</th>"));
+  EXPECT_THAT(html, HasSubstr("<td>217,137</td><td>+3</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>217,000</td><td>−1,933</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>4,096</td><td>0</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>438,233</td><td>1,936</td>"));
+}
+
+TEST(Page, GoldenAloneShowsWhatIsPredictedAndSaysSo) {
+  RunRecord record = golden_record();
+  record.predicted_cycles = {{"cycles.PROJECT.BUSY", 217004}, {"cycles.READ.BUSY", 1000}};
+  const std::string html = page_of(record);
+  EXPECT_THAT(html, HasSubstr("217,004 predicted"));
+  EXPECT_THAT(html, HasSubstr("Predicted by the cycle model from the command stream, not simulated"));
+  EXPECT_THAT(html, Not(HasSubstr("off by")));
+}
+
 TEST(Page, EveryErrorStandsNextToWhatItCosts) {
   const std::string html = page_of(sample_record());
   const std::size_t table = html.find("<table class=\"cards\">");

@@ -173,6 +173,34 @@ TEST_F(StoreFile, MergesEachKeyOnce) {
   EXPECT_EQ(again->added + again->replaced, 0U);
 }
 
+TEST_F(StoreFile, WhatWasAddedLaterIsNoDisagreement) {
+  Store all = open();
+  all.put(row("k1"));
+  all.amend("k1", {{"rtl.cycles", 5}, {"confirm.words", 2}, {"area.luts", 7}}, {{"confirmed", "agrees"}});
+  Store shard = open("shard.sqlite");
+  shard.put(row("k1"));
+  const auto counts = all.merge(shard);
+  ASSERT_TRUE(counts) << counts.error().message;
+  EXPECT_EQ(counts->known, 1U);
+  EXPECT_EQ(all.rows()[0].figures.at("area.luts"), 7);
+}
+
+TEST_F(StoreFile, AnAmendmentTakesThePlaceOfAnEarlierOne) {
+  Store store = open();
+  store.put(row("k1"));
+  store.put(row("k2"));
+  for (const char* key : {"k1", "k2"})
+    store.amend(key, {{"area.luts", 7}, {"area.clock_mhz", 40}, {"arealess", 1}},
+                {{"area.none", "too wide"}});
+  store.amend("k1", {{"area.luts", 8}}, {}, "area.");
+  const std::vector<Row> rows = store.rows();
+  std::map<std::string, double> expected = row("k1").figures;
+  expected.merge(std::map<std::string, double>{{"area.luts", 8}, {"arealess", 1}});
+  EXPECT_EQ(rows[0].figures, expected);
+  EXPECT_EQ(rows[0].labels, row("k1").labels);
+  EXPECT_EQ(rows[1].figures.at("area.clock_mhz"), 40);
+}
+
 TEST_F(StoreFile, ResultsThatDisagreeAreNotMerged) {
   Store all = open();
   all.put(row("k1"));
