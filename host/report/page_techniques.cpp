@@ -124,9 +124,8 @@ void add_costs(const Json& techniques, Json& rows) {
   });
   add("cycles predicted; off", [](const Json& t) {
     const Json& predicted = t.at("cycles_predicted");
-    if (predicted.is_null()) return kNone;
-    return fmt::format("{}; {}", count(predicted.at("total")),
-                       predicted.at("off").is_null() ? kNone : count(predicted.at("off")));
+    return predicted.is_null() ? std::string(kNone)
+                               : count(predicted.at("total")) + "; " + count(predicted.at("off"));
   });
   add("time at the clock", [](const Json& t) { return seconds(t.at("run_time").at("seconds_at_clock")); });
   const auto memory = [](const char* key) {

@@ -48,9 +48,15 @@
     const margin = (high - low || Math.abs(high) || 1) * 0.05;
     return [low - margin, high + margin];
   };
+  /// On logarithmic axes 1, 2 and 5 of each decade, if there are any.
+  const tickTexts = (u, ticks, axis) => {
+    const round = (v) => u.scales[u.axes[axis].scale].distr !== 3 || [1, 2, 5].includes(+(v / 10 ** Math.floor(Math.log10(v) + 1e-9)).toPrecision(3));
+    const any = ticks.some((v) => v !== null && round(v));
+    return ticks.map((v) => (v === null || (any && !round(v)) ? "" : number(v)));
+  };
   const axisStyle = (label) => {
     const style = getComputedStyle(document.documentElement);
-    return { label, space: 70, values: (u, ticks) => ticks.map((v) => (v === null ? "" : number(v))), stroke: style.getPropertyValue("--ink").trim(), grid: { stroke: style.getPropertyValue("--line").trim() }, ticks: { stroke: style.getPropertyValue("--line").trim() } };
+    return { label, space: 70, values: tickTexts, stroke: style.getPropertyValue("--ink").trim(), grid: { stroke: style.getPropertyValue("--line").trim() }, ticks: { stroke: style.getPropertyValue("--line").trim() } };
   };
 
   const tip = $("tip");
@@ -180,7 +186,7 @@
     });
     const theory = axis === "frac_bits" && xs.length > 1 ? xs.map((v) => mean(columns.map((c) => c[0]).filter((c) => c)) * 2 ** -(v - xs[0])).map((e) => (e < Math.min(...values) / 2 ? null : e)) : null;
     plots.push(new uPlot({
-      width: box.clientWidth - 16, height: 320, scales: { x: { time: false }, y: { distr: 3, range: () => [Math.min(...values) / 1.5, Math.max(...values) * 1.2] } }, axes: [{ ...axisStyle(axis), ...(xs.every(Number.isInteger) ? { incrs: [1, 2, 5, 10, 20, 50, 100] } : {}) }, { ...axisStyle(labels[y]), size: 90, space: 30 }],
+      width: box.clientWidth - 16, height: 400, scales: { x: { time: false }, y: { distr: 3, range: () => [Math.min(...values) / 1.5, Math.max(...values) * 1.2] } }, axes: [{ ...axisStyle(axis), ...(xs.every(Number.isInteger) ? { incrs: [1, 2, 5, 10, 20, 50, 100] } : {}) }, { ...axisStyle(labels[y]), size: 90, space: 30 }],
       series: [{ label: axis }, ...curves.map((c, i) => ({ label: by ? `${by} ${c}` : "mean", stroke: palette[i % palette.length], points: { show: true }, value: (u, v) => (v == null ? "–" : number(v)) })),
         ...(theory ? [{ label: "halved with each bit", stroke: "#888", dash: [6, 6], value: (u, v) => (v == null ? "–" : number(v)) }] : [])],
     }, [xs, ...columns, ...(theory ? [theory] : [])], box));
