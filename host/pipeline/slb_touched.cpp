@@ -64,7 +64,7 @@ std::size_t SlbTouched::index(int column, int row) const {
 
 /// Every crossing of a pixel's border has a step in the pixel or beside it.
 std::uint32_t SlbTouched::most_steps_around() const {
-  const auto stride = static_cast<std::size_t>(side_ + 2);
+  const std::size_t stride = static_cast<std::size_t>(side_) + 2;
   std::uint32_t most = 0;
   for (std::size_t y = 1; y + 1 < stride; ++y)
     for (std::size_t x = 1; x + 1 < stride; ++x) {

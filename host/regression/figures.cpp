@@ -23,11 +23,12 @@ constexpr std::array<ErrorFigure, 4> kErrors{{{"mislabelled", "/all/share"},
 
 void add_technique(const Json& run, const std::string& results, Figures& figures) {
   const std::string prefix = run.at("technique").get<std::string>() + ".";
+  const std::string cycles_prefix = prefix + "cycles.";
   figures[prefix + "words"] = run.at("compare").at("words");
   figures[prefix + "results"] = results;
   if (!run.at("cycles").is_null()) {
     for (const auto& [pass, cycles] : run.at("cycles").at("by_pass").items()) {
-      if (pass != "IDLE") figures[prefix + "cycles." + pass] = cycles.at("total");
+      if (pass != "IDLE") figures[cycles_prefix + pass] = cycles.at("total");
     }
   }
   const Json& errors = run.at("errors").at("fixed");
