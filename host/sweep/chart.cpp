@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace gnomon::sweep {
 namespace {
@@ -60,12 +61,15 @@ std::vector<double> Scale::ticks() const {
   if (!logarithmic_) {
     const double step =
         kind_ == Kind::Whole ? std::max(1.0, step_for(high_ - low_, 10)) : step_for(high_ - low_, 8);
-    for (double i = std::ceil(low_ / step); i * step <= high_; ++i) ticks.push_back(i * step);
+    const auto last = static_cast<std::int64_t>(std::floor(high_ / step));
+    for (auto i = static_cast<std::int64_t>(std::ceil(low_ / step)); i <= last; ++i)
+      ticks.push_back(static_cast<double>(i) * step);
     return ticks;
   }
   // Few decades: 2 and 5 besides.
   const bool fine = high_ - low_ < 3;
-  for (double decade = std::floor(low_); decade <= high_; ++decade) {
+  const int last = static_cast<int>(std::floor(high_));
+  for (int decade = static_cast<int>(std::floor(low_)); decade <= last; ++decade) {
     for (const double times : {1.0, 2.0, 5.0}) {
       const double value = std::log10(times) + decade;
       if ((fine || times == 1) && value >= low_ && value <= high_) ticks.push_back(std::pow(10, value));

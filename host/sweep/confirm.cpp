@@ -38,13 +38,14 @@ std::string verdict_of(const report::CompareRecord& compare, double error) {
 }  // namespace
 
 std::map<std::string, double> cycle_figures(const std::string& name, const Cycles& cycles) {
+  const std::string total = name + ".cycles", prefix = total + ".";
   std::map<std::string, double> figures;
   double sum = 0;
   for (const auto& [pass, count] : by_pass(cycles)) {
     sum += count;
-    if (count > 0) figures.emplace(name + ".cycles." + pass, count);
+    if (count > 0) figures.emplace(prefix + pass, count);
   }
-  if (sum > 0) figures.emplace(name + ".cycles", sum);
+  if (sum > 0) figures.emplace(total, sum);
   return figures;
 }
 

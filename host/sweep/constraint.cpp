@@ -65,6 +65,7 @@ std::vector<std::string> names_of(const config::Parameter& parameter) {
   const std::string key(parameter.key);
   if (parameter.type != config::Type::Vector) return {key};
   std::vector<std::string> names;
+  names.reserve(std::size(kAxes));
   for (const char* axis : kAxes) names.push_back(key + axis);
   return names;
 }

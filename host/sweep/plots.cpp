@@ -121,6 +121,7 @@ class ScenePlots {
 
   static std::vector<bool> front_of(const std::vector<std::pair<double, double>>& points) {
     std::vector<std::vector<double>> objectives;
+    objectives.reserve(points.size());
     for (const auto& [x, y] : points) objectives.push_back({x, y});
     return pareto_front(objectives);
   }
