@@ -16,7 +16,7 @@ namespace gnomon::sweep {
 namespace {
 
 /// What is not named here is taken for shared, so that a new parameter costs time at worst.
-constexpr std::array<std::string_view, 30> kOfTechnique{"technique",
+constexpr std::array<std::string_view, 43> kOfTechnique{"technique",
                                                         "plane",
                                                         "pitch",
                                                         "offset",
@@ -45,7 +45,20 @@ constexpr std::array<std::string_view, 30> kOfTechnique{"technique",
                                                         "map_memory",
                                                         "map_side",
                                                         "pcf_kernel",
-                                                        "ray_sag"};
+                                                        "ray_sag",
+                                                        "system_hardware",
+                                                        "cache_kib",
+                                                        "axi_bits",
+                                                        "memory_latency",
+                                                        "bus_latency",
+                                                        "quantum",
+                                                        "dram_mib",
+                                                        "dram_banks",
+                                                        "dram_row_bytes",
+                                                        "dram_rcd",
+                                                        "dram_rp",
+                                                        "dram_cas",
+                                                        "dram_width"};
 
 std::string shared_signature(const Task& task) {
   std::string text = task.scene.string();

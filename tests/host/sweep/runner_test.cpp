@@ -74,6 +74,25 @@ TEST_F(RunnerTest, FinerWidthsGiveSmallerErrorsInTheOrderOfNoThread) {
   EXPECT_EQ(merged->known, 5U) << "every figure is the same";
 }
 
+/// No surface, voxel or exact shadow depends on the bus and what lies behind it.
+TEST_F(RunnerTest, WhatTheSystemIsLikeIsNoReasonForAnotherScene) {
+  std::size_t keys = 0;
+  for (const config::Parameter& parameter : config::parameters()) {
+    if (!parameter.help.starts_with("engine system:")) continue;
+    EXPECT_TRUE(of_technique(parameter.key)) << parameter.key;
+    ++keys;
+  }
+  EXPECT_GE(keys, 13U);
+  std::vector<Task> tasks{task(5, 5), task(5, 5), task(5, 5)};
+  tasks[1].point.settings = *config::Settings::resolve(
+      {{std::vector<config::Assignment>{{"memory_latency", "100", "t"}, {"cache_kib", "32", "t"}}}});
+  tasks[2].point.settings =
+      *config::Settings::resolve({{std::vector<config::Assignment>{{"res", "25", "t"}}}});
+  const auto groups = groups_of(tasks);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].size(), 2U);
+}
+
 TEST_F(RunnerTest, WhatTheHardwareAnswersOtherwiseIsFlagged) {
   const std::vector<Task> tasks{task(5, 5)};
   run_tasks(tasks, store_, options_);
