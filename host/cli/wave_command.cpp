@@ -111,29 +111,35 @@ class WaveCommand : public Command {
     return sim::TraceWindow{*cycle - std::min(*cycle, kBefore), *cycle + kAfter, file};
   }
 
-  /// The cycle at which the hardware first touches the address, found without a waveform.
+  /// The cycle at which the hardware first touches the address, found without a waveform. The simulation has
+  /// one flag that ends it, which either the access or Ctrl-C sets. Throws sim::Aborted after the latter.
   std::optional<std::uint64_t> first_access(const config::Settings& settings, const ShadowJob& job,
                                             sim::RtlOptions options, sim::ModelCache& cache) const {
-    std::atomic<bool> found = false;
+    std::atomic<bool> ended = false;
     std::optional<std::uint64_t> cycle;
+    const std::atomic<bool>* const interrupted = options.abort;
     options.trace_model = true;
-    options.abort = &found;
+    options.abort = &ended;
+    options.progress = [&](const sim::Progress&) {
+      if (interrupted->load()) ended = true;
+    };
     sim::system::SystemOptions system = system_settings(settings);
     system.rtl = options;
     const auto engine = sim::system::make_system_engine(job.config, system, cache);
     engine->set_event_log([&](const std::string& line) {
       const nlohmann::json event = nlohmann::json::parse(line);
-      if (found || event.at("event") != "transaction" || event.at("initiator") != "hardware") return;
+      if (ended || event.at("event") != "transaction" || event.at("initiator") != "hardware") return;
       const std::uint64_t address = std::stoull(event.at("address").get<std::string>(), nullptr, 16);
       if (*address_ < address || *address_ - address >= event.at("bytes").get<std::uint64_t>()) return;
       cycle = event.at("begin").get<std::uint64_t>();
-      found = true;
+      ended = true;
     });
     try {
       engine->submit(job.stream);
       engine->drain([](std::span<const golden::Word>) {});
     } catch (const sim::Aborted&) {
     }
+    if (!cycle && interrupted->load()) throw sim::Aborted("interrupted");
     return cycle;
   }
 

@@ -161,6 +161,17 @@ TEST_F(SystemTest, WritesWaveformsOfTriggers) {
   EXPECT_FALSE(fs::exists(directory_.path() / "none.fst"));
 }
 
+TEST_F(SystemTest, CtrlCEndsTheSearchForAnAddress) {
+  test::HowToRun how;
+  how.interrupt_at = std::chrono::milliseconds(1500);  // half of what the search takes
+  const Outcome outcome =
+      run_gnomon({"wave", model_.string(), "-q", "--set", "res=1024", "--engine", "system", "--set",
+                  "system_hardware=golden", "--address", "64", "-o", (directory_.path() / "w.fst").string()},
+                 how);
+  EXPECT_EQ(outcome.status, 130);
+  EXPECT_EQ(outcome.err, "gnomon: interrupted, nothing was written\n");
+}
+
 TEST_F(SystemTest, RunsAndVerifiesWithWaveforms) {
   const fs::path window = directory_.path() / "window.fst", fault = directory_.path() / "fault.fst";
   run({"--trace", window.string(), "--trace-from", "50", "--trace-to", "90"});
