@@ -2,6 +2,8 @@
 // Jobs and rings that are wrong, stopping, enabling and resetting: what the hardware says and does.
 #include <gtest/gtest.h>
 
+#include <gnomon/golden/codec.hpp>
+
 #include "Vsystem_narrow.h"
 #include "jobs.hpp"
 #include "sim/counter_names.hpp"
@@ -150,6 +152,43 @@ TEST(SystemErrors, GivesUpTwice) {
     ASSERT_TRUE(bench.reset());
   }
   EXPECT_FALSE(bench.asserted());
+}
+
+/// Hundreds of beats are under way, and the next one comes within AXI_TIMEOUT each time: nothing is given up,
+/// however long all of them take.
+TEST(SystemErrors, AResetWaitsForAMemoryThatIsSlowButMoves) {
+  Bench bench(3);
+  bench.memory().set_timing({40, 40, 20, false});
+  bench.start({}, kTimeout);
+  bench.submit(random_job(kSmall, 5, 60), 1, 1);
+  bench.run(1'000);
+  const std::uint64_t before = bench.cycles();
+  ASSERT_TRUE(bench.reset());
+  EXPECT_GT(bench.cycles() - before, 2 * kTimeout) << "else this shows nothing";
+  EXPECT_EQ(bench.read(hw::kStatusOffset), hw::kStatusIdleMask) << "no late answers";
+  EXPECT_TRUE(bench.memory().quiet());
+}
+
+/// Whatever ends in the cycle of a reset, or in those after it: it is not counted in the registers, which are
+/// at their reset values when it is over.
+TEST(SystemErrors, AResetInAnyCycleOfAJobLeavesNoCount) {
+  Bench bench(1);
+  std::vector<Word> words;
+  for (int i = 0; i < 3; ++i) words.push_back(golden::encode(golden::Header{0, 0, 0, 0}));
+  unsigned within = 0;
+  for (unsigned delay = 0; delay < 200; ++delay) {
+    bench.start({}, kTimeout);
+    bench.submit(words, 1, 3);  // descriptors of a word each
+    bench.run(delay);
+    within += bench.interrupt() ? 0U : 1U;
+    ASSERT_TRUE(bench.reset());
+    for (const std::uint32_t offset : {hw::kCommandHeadOffset, hw::kCommandTailOffset, hw::kResultHeadOffset,
+                                       hw::kJobsDoneOffset, hw::kInterruptStatusOffset, hw::kControlOffset})
+      ASSERT_EQ(bench.read(offset), 0U) << "register " << offset << ", reset after " << delay;
+    ASSERT_EQ(bench.read(hw::kStatusOffset), hw::kStatusIdleMask);
+  }
+  EXPECT_GT(within, 30U) << "resets while the job ran";
+  EXPECT_LT(within, 190U) << "the job ends";
 }
 
 TEST(SystemControl, DisabledHardwareFinishesWhatItHasBegun) {
