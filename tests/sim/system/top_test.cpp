@@ -90,31 +90,87 @@ TEST(Top, LatencyCostsCyclesNeverWords) {
   EXPECT_GT(far->cycle(), near->cycle());
 }
 
-TEST(Top, FaultsOnTheBusNeverShowAsResults) {
-  const auto engine = make_system_engine(kSmall, quick());
-  stimulus::Random random(3);
-  std::uint64_t injected = 0, done = 0;
-  const FaultInjector faults = [&](std::uint64_t, bool) {
-    if (random.between(1, 30) != 1) return Fault::None;
+/// A fault in one of about 40 transactions: error answers of either kind, sometimes no answer.
+class RandomFaults {
+ public:
+  explicit RandomFaults(std::uint64_t seed) : random_(seed) {}
+  Fault operator()() {
+    if (random_.between(1, 40) != 1) return Fault::None;
     ++injected;
-    return random.between(1, 2) == 1 ? Fault::SlaveError : Fault::DecodeError;
-  };
-  for (std::uint64_t round = 0; injected < 60; ++round) {
-    std::vector<Job> jobs(1);
-    jobs[0].commands = stimulus::random_stream(kSmall, {.seed = 100 + round, .commands = 20});
-    jobs[0].retries = 8;
-    engine->reset();
-    engine->system().set_fault_injector(faults);
-    const JobReport report = engine->system().run(jobs).at(0);
-    if (report.outcome != registers::mailbox::kOutcomeIsDone) {
-      EXPECT_TRUE(report.results.empty());
-      continue;
-    }
-    EXPECT_EQ(report.results, answers(*golden::make_golden_engine(kSmall), jobs[0].commands)) << round;
-    ++done;
+    const auto kind = random_.between(1, 60);
+    if (kind == 1) ++silent;
+    return kind == 1 ? Fault::NoAnswer : kind % 2 == 0 ? Fault::SlaveError : Fault::DecodeError;
   }
-  EXPECT_GT(done, 5u);
-  EXPECT_GE(injected, 60u);
+  std::uint64_t injected = 0, silent = 0;
+
+ private:
+  stimulus::Random random_;
+};
+
+/// Jobs on one system that is never switched off, each beside the golden model, which starts anew where the
+/// firmware has reset the hardware.
+class FaultyJobs {
+ public:
+  explicit FaultyJobs(SystemEngine& engine)
+      : system_(engine.system()), golden_(golden::make_golden_engine(engine.config())) {}
+
+  void run(std::uint64_t seed, const FaultInjector& faults, std::uint32_t watchdog) {
+    std::vector<Job> jobs(1);
+    jobs[0].commands = stimulus::random_stream(golden_->config(), {.seed = seed, .commands = 20});
+    jobs[0].retries = 2;
+    jobs[0].watchdog = watchdog;
+    system_.set_fault_injector(faults);
+    const JobReport report = system_.run(jobs).at(0);
+    resets += report.attempts - 1;
+    if ((report.error & 0x100U) != 0) ++watchdogs;
+    if (report.attempts > 1) golden_->reset();
+    if (report.outcome != registers::mailbox::kOutcomeIsDone) {
+      ++failed;
+      ++resets;
+      wrong += report.results.size();
+      golden_->reset();
+      return;
+    }
+    const Words expected = answers(*golden_, jobs[0].commands);
+    ++done;
+    compared += expected.size();
+    wrong += report.results == expected ? 0U : 1U;
+  }
+  std::uint64_t done = 0, failed = 0, resets = 0, watchdogs = 0, compared = 0, wrong = 0;
+
+ private:
+  System& system_;
+  std::unique_ptr<golden::Engine> golden_;
+};
+
+TEST(Top, AThousandFaultsOnTheBusNeverShowAsResults) {
+  const auto engine = make_system_engine(kSmall, quick());
+  RandomFaults faults(3);
+  stimulus::Random random(4);
+  FaultyJobs jobs(*engine);
+  std::uint64_t seed = 100, clean = 0;
+  while (faults.injected < 1'000) {
+    // One in four is cut off by its watchdog, if it takes that long.
+    const auto watchdog =
+        random.between(1, 4) == 1 ? static_cast<std::uint32_t>(random.between(200, 1'500)) : 0;
+    jobs.run(
+        seed++, [&](std::uint64_t, bool) { return faults(); }, watchdog);
+    // It is right again at once.
+    const std::uint64_t done = jobs.done;
+    jobs.run(seed++, {}, 0);
+    clean += jobs.done - done;
+  }
+  EXPECT_EQ(clean, (seed - 100) / 2) << "jobs after faults";
+  EXPECT_EQ(jobs.wrong, 0U);
+  EXPECT_GT(jobs.done - clean, 100U);
+  EXPECT_GT(jobs.failed, 50U);
+  EXPECT_GT(jobs.resets, 700U);
+  EXPECT_GT(jobs.watchdogs, 10U);
+  EXPECT_GT(faults.silent, 8U);
+  EXPECT_GT(jobs.compared, 10'000U);
+  RecordProperty(
+      "tally", testing::PrintToString(std::vector{faults.injected, faults.silent, jobs.watchdogs, jobs.resets,
+                                                  jobs.done, jobs.failed, jobs.compared, jobs.wrong}));
 }
 
 TEST(Top, EndsEarlyAtACycle) {
