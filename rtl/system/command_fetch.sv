@@ -36,11 +36,12 @@ module command_fetch #(
   localparam int unsigned BURST      = system_pkg::COMMAND_BURST_LOG2;
   localparam int unsigned QUEUE_LOG2 = BURST + $clog2(system_pkg::COMMAND_BURSTS) - LANES_LOG2;
   localparam int unsigned BEAT_BITS  = BURST - LANES_LOG2;          // of a burst's beat
+  localparam int unsigned COUNT_BITS = $clog2(system_pkg::COMMAND_BURSTS + 1);
 
   // ---- Bursts ----
   logic [63:3]         next_q, oldest_q;
   logic [31:0]         unasked_q, ungiven_q;
-  logic [2:0]          bursts_q;
+  logic [COUNT_BITS-1:0] bursts_q;
   logic [QUEUE_LOG2:0] room_q;                       // beats
   logic [BURST:0]      to_edge, words, beats;
   logic [BEAT_BITS-1:0] first_beat, last_beat;
@@ -54,7 +55,7 @@ module command_fetch #(
   assign last_beat  = last_word[LANES_LOG2+:BEAT_BITS];
   assign beats      = mutations_pkg::AXI_CROSS_PAGES ? words : (BURST + 1)'(BEAT_BITS'(last_beat - first_beat)) + 1'b1;
 
-  assign request_valid_o   = unasked_q != '0 && bursts_q != 3'(system_pkg::COMMAND_BURSTS) &&
+  assign request_valid_o   = unasked_q != '0 && bursts_q != COUNT_BITS'(system_pkg::COMMAND_BURSTS) &&
                              32'(room_q) >= 32'(beats);
   assign request_address_o = next_q;
   assign request_words_o   = words;
@@ -74,7 +75,7 @@ module command_fetch #(
       else if (ask) unasked_q <= unasked_q - 32'(words);
       if (start_i)                          ungiven_q <= words_i;
       else if (word_valid_o && word_ready_i) ungiven_q <= ungiven_q - 32'd1;
-      bursts_q <= bursts_q + 3'(ask) - 3'(beat_taken);
+      bursts_q <= bursts_q + COUNT_BITS'(ask) - COUNT_BITS'(beat_taken);
       room_q   <= room_q - (ask ? (QUEUE_LOG2 + 1)'(beats) : '0) + (QUEUE_LOG2 + 1)'(pop);
     end
   end

@@ -13,8 +13,8 @@ package system_pkg;
   localparam int unsigned LINES        = 8;
 
   localparam int unsigned COMMAND_BURST_LOG2  = 6;   // words; bursts do not cross a multiple of it
-  localparam int unsigned COMMAND_BURSTS      = 4;
-  localparam int unsigned RESULT_BURSTS_LOG2  = 4;
+  localparam int unsigned COMMAND_BURSTS      = 8;
+  localparam int unsigned RESULT_BURSTS_LOG2  = 5;
   localparam int unsigned PATIENCE            = 64;  // grants of others
 
   // ---- Rings ----
