@@ -66,10 +66,12 @@ module plane_update #(
       else         valid_q <= valid[s-1];
     end
     always_ff @(posedge clk_i) begin
-      forwarded_q <= forwarded[s-1];
-      index_q     <= index[(s-1)*INDEX_BITS+:INDEX_BITS];
-      operand_q   <= operand[(s-1)*OPERAND_BITS+:OPERAND_BITS];
-      word_q      <= word[(s-1)*WORD_BITS+:WORD_BITS];
+      if (valid[s-1]) begin
+        forwarded_q <= forwarded[s-1];
+        index_q     <= index[(s-1)*INDEX_BITS+:INDEX_BITS];
+        operand_q   <= operand[(s-1)*OPERAND_BITS+:OPERAND_BITS];
+        if (forwarded[s-1]) word_q <= word[(s-1)*WORD_BITS+:WORD_BITS];
+      end
     end
 
     logic hit;
@@ -91,8 +93,10 @@ module plane_update #(
     else         write_q <= modify_valid_o && modify_write_i;
   end
   always_ff @(posedge clk_i) begin
-    write_index_q <= modify_index_o;
-    write_word_q  <= modify_word_i;
+    if (modify_valid_o) begin
+      write_index_q <= modify_index_o;
+      if (modify_write_i) write_word_q <= modify_word_i;
+    end
   end
 
   assign write_o       = write_q;

@@ -8,6 +8,7 @@ module slb_answer #(
   parameter int unsigned COUNT_BITS     = slb_pkg::count_bits(FRAGS_PER_PIXEL),
   parameter int unsigned THRESHOLD_BITS = slb_pkg::threshold_bits(FRAGS_PER_PIXEL)
 ) (
+  input  logic                                            valid_i,  // else there is nothing to find, and 0 is the answer
   input  logic [COUNT_BITS-1:0]                           count_i,
   input  logic [DEPTH_BITS-1:0]                           full_depth_i,
   // Fields of every fragment, and which of its lines contain the point.
@@ -34,7 +35,7 @@ module slb_answer #(
   logic [D:0] point, bias;
   assign point     = (D + 1)'(point_depth_i);
   assign bias      = (D + 1)'(bias_i);
-  assign by_full_o = (D + 1)'(full_depth_i) + bias < point;
+  assign by_full_o = valid_i && (D + 1)'(full_depth_i) + bias < point;
 
   // From the last fragment to the first: a group is complete at the fragment that does not continue another, and the first
   // group has the last word.
@@ -45,22 +46,24 @@ module slb_answer #(
     object_o   = '0;
     chains     = '0;
     farthest   = '0;
-    for (int i = FRAGS_PER_PIXEL - 1; i >= 0; i--) begin
-      if (COUNT_BITS'(i) < count_i) begin
-        case (op_i[i*2+:2])
-          slb_pkg::FRAGMENT_ONE: chains = chains + 4'(in_a_i[i]);
-          slb_pkg::FRAGMENT_AND: chains = chains + 4'(in_a_i[i] && in_b_i[i]);
-          slb_pkg::FRAGMENT_OR:  chains = chains + 4'(in_a_i[i] || in_b_i[i]);
-          default:               chains = chains + 4'(in_a_i[i]) + 4'(in_b_i[i]);
-        endcase
-        if (depth_i[i*D+:D] > farthest) farthest = depth_i[i*D+:D];
-        if (!cont_i[i]) begin
-          if (chains > 4'(threshold_i[i*TB+:TB]) && (D + 1)'(farthest) + bias < point) begin
-            if (!by_lines_o || !mutations_pkg::SLB_LAST_OBJECT) object_o = object_i[i*OB+:OB];
-            by_lines_o = 1'b1;
+    if (valid_i) begin
+      for (int i = FRAGS_PER_PIXEL - 1; i >= 0; i--) begin
+        if (COUNT_BITS'(i) < count_i) begin
+          case (op_i[i*2+:2])
+            slb_pkg::FRAGMENT_ONE: chains = chains + 4'(in_a_i[i]);
+            slb_pkg::FRAGMENT_AND: chains = chains + 4'(in_a_i[i] && in_b_i[i]);
+            slb_pkg::FRAGMENT_OR:  chains = chains + 4'(in_a_i[i] || in_b_i[i]);
+            default:               chains = chains + 4'(in_a_i[i]) + 4'(in_b_i[i]);
+          endcase
+          if (depth_i[i*D+:D] > farthest) farthest = depth_i[i*D+:D];
+          if (!cont_i[i]) begin
+            if (chains > 4'(threshold_i[i*TB+:TB]) && (D + 1)'(farthest) + bias < point) begin
+              if (!by_lines_o || !mutations_pkg::SLB_LAST_OBJECT) object_o = object_i[i*OB+:OB];
+              by_lines_o = 1'b1;
+            end
+            chains   = '0;
+            farthest = '0;
           end
-          chains   = '0;
-          farthest = '0;
         end
       end
     end

@@ -199,7 +199,8 @@ module slb_backend #(
     end else begin
       update_index  = put_index;
       update_kind   = slb_pkg::UPDATE_INSERT;
-      update_fields = FIELDS'({put_corner, put_contains, put_join, put_b, put_a, put_op, put_depth});
+      update_fields = 'x;
+      if (put_valid) update_fields = FIELDS'({put_corner, put_contains, put_join, put_b, put_a, put_op, put_depth});
     end
   end
   assign update_operand = {update_kind, update_fields};

@@ -69,10 +69,18 @@ module slb_chain_op #(
   logic signed [O-1:0]     o1, o2;
   logic signed [2*W+2:0]   turn;
   logic                    same_way;  // where turn = 0
-  assign o1       = O'(entry_dx_q) * O'(across_y_q) - O'(entry_dy_q) * O'(across_x_q);
-  assign o2       = O'(exit_dy_q) * O'(across_x_q) - O'(exit_dx_q) * O'(across_y_q);
-  assign turn     = (2*W+3)'(turn_plus_q) - (2*W+3)'(turn_minus_q);
-  assign same_way = (entry_dx_q != '0) ? entry_dx_q[W] == exit_dx_q[W] : entry_dy_q[W] == exit_dy_q[W];
+  always_comb begin
+    o1       = 'x;
+    o2       = 'x;
+    turn     = 'x;
+    same_way = 'x;
+    if (valid_q[0]) begin
+      o1       = O'(entry_dx_q) * O'(across_y_q) - O'(entry_dy_q) * O'(across_x_q);
+      o2       = O'(exit_dy_q) * O'(across_x_q) - O'(exit_dx_q) * O'(across_y_q);
+      turn     = (2*W+3)'(turn_plus_q) - (2*W+3)'(turn_minus_q);
+      same_way = (entry_dx_q != '0) ? entry_dx_q[W] == exit_dx_q[W] : entry_dy_q[W] == exit_dy_q[W];
+    end
+  end
 
   logic              left_q, right_q;  // o1, o2 >= 0 or <= 0, not both 0
   logic              turn_left_q, turn_right_q, same_way_q, vertex_2_q;

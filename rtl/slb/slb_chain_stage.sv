@@ -43,10 +43,10 @@ module slb_chain_stage #(
 
   logic in_a, in_b, contains, on_plane, take;
   slb_line_centre #(.FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .ROUNDING(ROUNDING)) u_a (
-    .line_i(chain_a_i), .contains_o(in_a)
+    .valid_i(chain_valid_i), .line_i(chain_a_i), .contains_o(in_a)
   );
   slb_line_centre #(.FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .ROUNDING(ROUNDING)) u_b (
-    .line_i(chain_b_i), .contains_o(in_b)
+    .valid_i(chain_valid_i), .line_i(chain_b_i), .contains_o(in_b)
   );
   always_comb begin
     case (chain_op_i)

@@ -9,6 +9,7 @@ module slb_cover #(
   // Derived; not to be overridden.
   parameter int unsigned ENTRY = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS)
 ) (
+  input  logic                  valid_i,    // else nothing that comes out means anything
   input  logic [ENTRY-1:0]      entry_i,
   input  logic                  covered_i,  // of the pixel, from FILL
   input  logic                  rim_i,
@@ -42,7 +43,7 @@ module slb_cover #(
     assign cont[i]       = fragments[i*FB+FB-1];
   end
   slb_last_group #(.FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .COUNT_BITS(CB)) u_group (
-    .count_i(low[CB-1:0]), .cont_i(cont), .op_i(op), .depth_i(depth), .member_o(member), .first_o(first),
+    .valid_i, .count_i(low[CB-1:0]), .cont_i(cont), .op_i(op), .depth_i(depth), .member_o(member), .first_o(first),
     .depth_o(rim_depth), .chains_o(chains)
   );
 
@@ -53,7 +54,10 @@ module slb_cover #(
                         (D + 1)'(depth[i*D+:D]) <= (D + 1)'(depth_i) + (D + 1)'(margin_i);
   end
   assign used_o  = covered_i && (!rim_i || touched == '0 || full_depth == '1);
-  assign entry_o = {fragments, (used_o && depth_i < full_depth) ? depth_i : full_depth, low};
+  always_comb begin
+    entry_o = 'x;
+    if (valid_i) entry_o = {fragments, (used_o && depth_i < full_depth) ? depth_i : full_depth, low};
+  end
 
   logic unused_group;
   assign unused_group = ^{first, chains, rim_depth};

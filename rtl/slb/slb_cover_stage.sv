@@ -50,7 +50,7 @@ module slb_cover_stage #(
     else if (item_ready_o) valid_q <= item_valid_i && on_plane && swept;
   end
   always_ff @(posedge clk_i) begin
-    if (item_ready_o) begin
+    if (item_ready_o && item_valid_i) begin
       index_o  <= {row[P-1:0], column[P-1:0]};
       depth_o  <= item_i[2*C+:D];
       front_o  <= front[D-1:0];

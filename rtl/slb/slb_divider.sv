@@ -31,33 +31,45 @@ module slb_divider #(
     divide_step = {state[N+Q-2:Q-1] - (fits ? den : '0), state[Q-2:0], fits};
   endfunction
 
-  logic [Q-1:0]                    valid_q;
-  (* mem2reg *) logic [N+Q-1:0]      state_q [Q];  // remainder above, dividend and quotient below
-  (* mem2reg *) logic [N-1:0]        den_q   [Q];
-  (* mem2reg *) logic [TAG_BITS-1:0] tag_q   [Q];
-
+  logic [Q-1:0] valid_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= {valid_q[Q-2:0], valid_i};
   end
-  always_ff @(posedge clk_i) begin
-    if (valid_i) begin
-      state_q[0] <= divide_step(dividend_i, den_i);
-      den_q[0]   <= den_i;
-      tag_q[0]   <= tag_i;
+
+  // A register a stage, each by itself: an array would be copied as a whole in simulation.
+  for (genvar i = 0; i < Q; i++) begin : gen_stages
+    logic [N+Q-1:0]      state, state_q;  // remainder above, dividend and quotient below
+    logic [N-1:0]        den, den_q;
+    logic [TAG_BITS-1:0] tag, tag_q;
+    logic                valid;
+    if (i == 0) begin : gen_first
+      assign valid = valid_i;
+      assign state = dividend_i;
+      assign den   = den_i;
+      assign tag   = tag_i;
+    end else begin : gen_next
+      assign valid = valid_q[i-1];
+      assign state = gen_stages[i-1].state_q;
+      assign den   = gen_stages[i-1].den_q;
+      assign tag   = gen_stages[i-1].tag_q;
     end
-    for (int unsigned i = 1; i < Q; i++) begin
-      if (valid_q[i-1]) begin
-        state_q[i] <= divide_step(state_q[i-1], den_q[i-1]);
-        den_q[i]   <= den_q[i-1];
-        tag_q[i]   <= tag_q[i-1];
+    always_ff @(posedge clk_i) begin
+      if (valid) begin
+        state_q <= divide_step(state, den);
+        den_q   <= den;
+        tag_q   <= tag;
       end
+    end
+    if (i == Q - 1) begin : gen_last
+      logic unused_den;
+      assign unused_den = ^den_q;
     end
   end
 
   assign valid_o                   = valid_q[Q-1];
-  assign {remainder_o, quotient_o} = state_q[Q-1];
-  assign tag_o                     = tag_q[Q-1];
+  assign {remainder_o, quotient_o} = gen_stages[Q-1].state_q;
+  assign tag_o                     = gen_stages[Q-1].tag_q;
 
   `GNOMON_ASSERT(a_quotient_fits, !valid_i || dividend_i[N+Q-1:Q] < den_i)
 

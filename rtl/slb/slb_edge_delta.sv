@@ -6,6 +6,7 @@ module slb_edge_delta #(
   parameter int unsigned W             = 20,
   parameter int unsigned SUBPIXEL_BITS = 10
 ) (
+  input  logic                   valid_i,       // else nothing that comes out means anything
   input  logic [W-1:0]           x0_i, y0_i, x1_i, y1_i,
   output logic signed [W:0]      dx_o, dy_o,
   output logic                   y_major_o,
@@ -19,23 +20,35 @@ module slb_edge_delta #(
 
   localparam int unsigned S = SUBPIXEL_BITS;
 
-  assign dx_o = signed'({x1_i[W-1], x1_i}) - signed'({x0_i[W-1], x0_i});
-  assign dy_o = signed'({y1_i[W-1], y1_i}) - signed'({y0_i[W-1], y0_i});
-
-  // |difference| < 2^W
-  logic [W-1:0] x_abs, y_abs;
-  assign x_abs = dx_o[W] ? W'(-dx_o) : dx_o[W-1:0];
-  assign y_abs = dy_o[W] ? W'(-dy_o) : dy_o[W-1:0];
-
-  assign y_major_o   = x_abs <= y_abs;
-  assign forward_o   = y_major_o ? !dy_o[W] : !dx_o[W];
-  assign falling_o   = y_major_o ? dx_o[W] : dy_o[W];
-  assign level_o     = minor_abs_o == '0;
-  assign den_o       = y_major_o ? y_abs : x_abs;
-  assign minor_abs_o = y_major_o ? x_abs : y_abs;
-
-  logic [S:0] offset;  // of the first vertex above the border below it
-  assign offset     = {1'b0, y_major_o ? y0_i[S-1:0] : x0_i[S-1:0]};
-  assign distance_o = forward_o ? {1'b1, {S{1'b0}}} - offset : offset;
+  logic [W-1:0] x_abs, y_abs;  // |difference| < 2^W
+  logic [S:0]   offset;        // of the first vertex above the border below it
+  always_comb begin
+    dx_o        = 'x;
+    dy_o        = 'x;
+    x_abs       = 'x;
+    y_abs       = 'x;
+    y_major_o   = 'x;
+    forward_o   = 'x;
+    falling_o   = 'x;
+    den_o       = 'x;
+    minor_abs_o = 'x;
+    level_o     = 'x;
+    offset      = 'x;
+    distance_o  = 'x;
+    if (valid_i) begin
+      dx_o        = signed'({x1_i[W-1], x1_i}) - signed'({x0_i[W-1], x0_i});
+      dy_o        = signed'({y1_i[W-1], y1_i}) - signed'({y0_i[W-1], y0_i});
+      x_abs       = dx_o[W] ? W'(-dx_o) : dx_o[W-1:0];
+      y_abs       = dy_o[W] ? W'(-dy_o) : dy_o[W-1:0];
+      y_major_o   = x_abs <= y_abs;
+      forward_o   = y_major_o ? !dy_o[W] : !dx_o[W];
+      falling_o   = y_major_o ? dx_o[W] : dy_o[W];
+      den_o       = y_major_o ? y_abs : x_abs;
+      minor_abs_o = y_major_o ? x_abs : y_abs;
+      level_o     = minor_abs_o == '0;
+      offset      = {1'b0, y_major_o ? y0_i[S-1:0] : x0_i[S-1:0]};
+      distance_o  = forward_o ? {1'b1, {S{1'b0}}} - offset : offset;
+    end
+  end
 
 endmodule

@@ -61,7 +61,7 @@ module slb_edge_divide #(
   logic [W-1:0]         den, minor_abs;
   logic [S:0]           distance;
   slb_edge_delta #(.W(W), .SUBPIXEL_BITS(S)) u_delta (
-    .x0_i, .y0_i, .x1_i, .y1_i, .dx_o(dx), .dy_o(dy), .y_major_o(y_major), .forward_o(forward), .falling_o(falling),
+    .valid_i, .x0_i, .y0_i, .x1_i, .y1_i, .dx_o(dx), .dy_o(dy), .y_major_o(y_major), .forward_o(forward), .falling_o(falling),
     .level_o(level), .den_o(den), .minor_abs_o(minor_abs), .distance_o(distance)
   );
   logic unused_delta;
@@ -102,7 +102,7 @@ module slb_edge_divide #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (delta_advance) begin
+    if (delta_advance && valid_i) begin
       delta_want_q     <= one_pixel ? 3'b000 : {deep, 2'b11};
       delta_slot_q     <= write_q[SLOT_LOG2-1:0];
       delta_den_q      <= den;
@@ -110,7 +110,7 @@ module slb_edge_divide #(
       delta_depth_q    <= depth_abs;
       delta_distance_q <= distance;
     end
-    if (product_advance) begin
+    if (product_advance && delta_valid_q) begin
       product_want_q  <= delta_want_q;
       product_slot_q  <= delta_slot_q;
       product_den_q   <= delta_den_q;

@@ -59,7 +59,7 @@ module slb_edge_place #(
   logic [W-1:0]      den, minor_abs;
   logic [S:0]        distance;
   slb_edge_delta #(.W(W), .SUBPIXEL_BITS(S)) u_delta (
-    .x0_i, .y0_i, .x1_i, .y1_i, .dx_o(dx), .dy_o(dy), .y_major_o(y_major), .forward_o(forward), .falling_o(falling),
+    .valid_i, .x0_i, .y0_i, .x1_i, .y1_i, .dx_o(dx), .dy_o(dy), .y_major_o(y_major), .forward_o(forward), .falling_o(falling),
     .level_o(level), .den_o(den), .minor_abs_o(minor_abs), .distance_o(distance)
   );
   logic unused_minor;
@@ -88,11 +88,11 @@ module slb_edge_place #(
   logic [K-1:0]      ahead_k, step_k;
   logic [W-1:0]      ahead_r, step_r;
   slb_walk_sum #(.W(W), .K(K), .CELL_BITS(C + 1), .UNIT(UNIT)) u_ahead (
-    .subtract_i(falling), .den_i(den), .a_cell_i({minor0[C-1], minor0}), .a_k_i(k0), .a_r_i('0), .b_cell_i('0),
+    .valid_i, .subtract_i(falling), .den_i(den), .a_cell_i({minor0[C-1], minor0}), .a_k_i(k0), .a_r_i('0), .b_cell_i('0),
     .b_k_i(ahead_q_i), .b_r_i(ahead_r_i), .cell_o(ahead_cell), .k_o(ahead_k), .r_o(ahead_r)
   );
   slb_walk_sum #(.W(W), .K(K), .CELL_BITS(C + 1), .UNIT(UNIT)) u_step (
-    .subtract_i(falling), .den_i(den), .a_cell_i('0), .a_k_i('0), .a_r_i('0), .b_cell_i('0),
+    .valid_i, .subtract_i(falling), .den_i(den), .a_cell_i('0), .a_k_i('0), .a_r_i('0), .b_cell_i('0),
     .b_k_i(step_q_i), .b_r_i(step_r_i), .cell_o(step_cell), .k_o(step_k), .r_o(step_r)
   );
 
@@ -100,8 +100,13 @@ module slb_edge_place #(
   logic              rising;
   logic [D+S+1:0]    product;
   assign rising  = depth1_i > depth0_i;
-  assign product = ((D+S+2)'(depth_q_i) + (D+S+2)'(rising)) * (D+S+2)'(distance)
-                   + (rising ? {{(D+2){1'b0}}, {S{1'b1}}} : '0);
+  always_comb begin
+    product = 'x;
+    if (valid_i) begin
+      product = ((D+S+2)'(depth_q_i) + (D+S+2)'(rising)) * (D+S+2)'(distance)
+                + (rising ? {{(D+2){1'b0}}, {S{1'b1}}} : '0);
+    end
+  end
 
   logic valid_q, advance;
   assign advance = !valid_q || ready_i;

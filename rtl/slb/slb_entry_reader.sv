@@ -50,15 +50,18 @@ module slb_entry_reader #(
     header.index = gnomon_pkg::INDEX_FIELD_BITS'(entry_tag_i[INDEX_BITS-1:0]);
     header.words = 8'(WORDS);
   end
-  assign words          = (WORDS * 64)'({entry_i, gnomon_pkg::GENERATION_BITS'(0)});
   assign result_valid_o = busy_o && entry_valid_i;
   assign give           = result_valid_o && result_ready_i;
   assign last_word      = step_q == STEP_BITS'(WORDS);
   assign entry_ready_o  = give && last_word;
   always_comb begin
     result_o = header;
-    for (int i = 0; i < WORDS; i++) begin
-      if (step_q == STEP_BITS'(i + 1)) result_o = words[i*64+:64];
+    words    = 'x;
+    if (result_valid_o) begin
+      words = (WORDS * 64)'({entry_i, gnomon_pkg::GENERATION_BITS'(0)});
+      for (int i = 0; i < WORDS; i++) begin
+        if (step_q == STEP_BITS'(i + 1)) result_o = words[i*64+:64];
+      end
     end
   end
 

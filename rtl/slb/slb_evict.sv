@@ -7,6 +7,7 @@ module slb_evict #(
   parameter int unsigned DEPTH_BITS      = 20,
   parameter int unsigned COUNT_BITS      = 2
 ) (
+  input  logic                                  valid_i,    // else none has to
   input  logic [COUNT_BITS-1:0]                 count_i,
   input  logic [FRAGS_PER_PIXEL-1:0]            cont_i,
   input  logic [FRAGS_PER_PIXEL*DEPTH_BITS-1:0] depths_i,
@@ -30,7 +31,7 @@ module slb_evict #(
     farthest = '0;
     length   = '0;
     for (int i = FRAGS_PER_PIXEL - 1; i >= 0; i--) begin
-      if (COUNT_BITS'(i) < count_i) begin
+      if (valid_i && COUNT_BITS'(i) < count_i) begin
         if (depths_i[i*D+:D] > farthest) farthest = depths_i[i*D+:D];
         length = length + 3'd1;
         if (!cont_i[i]) begin

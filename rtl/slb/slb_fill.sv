@@ -59,9 +59,12 @@ module slb_fill #(
   assign {carry, lines, changes} = word_i;
   always_comb begin
     running = '0;
-    for (int i = 0; i < SLOTS; i++) begin
-      sums[i*SUM+:SUM] = running;
-      running          = running + SUM'(signed'(changes[i*CHANGE+:CHANGE]));
+    sums    = '0;
+    if (word_valid_i) begin
+      for (int i = 0; i < SLOTS; i++) begin
+        sums[i*SUM+:SUM] = running;
+        running          = running + SUM'(signed'(changes[i*CHANGE+:CHANGE]));
+      end
     end
   end
   assign word_ready_o = !valid1_q || ready1;
@@ -70,7 +73,7 @@ module slb_fill #(
     else if (word_ready_o) valid1_q <= word_valid_i;
   end
   always_ff @(posedge clk_i) begin
-    if (word_ready_o) begin
+    if (word_valid_i && word_ready_o) begin
       sums1_q  <= sums;
       total1_q <= running;
       carry1_q <= carry;
@@ -95,10 +98,15 @@ module slb_fill #(
   logic [SLOTS-1:0]          covered;
   logic signed [WINDING-1:0] winding;
   always_comb begin
-    for (int i = 0; i < SLOTS; i++) begin
-      winding                      = base + WINDING'(signed'(sums1_q[i*SUM+:SUM]));
-      windings[i*WINDING+:WINDING] = winding;
-      covered[i]                   = winding > 0;
+    windings = '0;
+    covered  = '0;
+    winding  = '0;
+    if (valid1_q) begin
+      for (int i = 0; i < SLOTS; i++) begin
+        winding                      = base + WINDING'(signed'(sums1_q[i*SUM+:SUM]));
+        windings[i*WINDING+:WINDING] = winding;
+        covered[i]                   = winding > 0;
+      end
     end
   end
 
@@ -110,15 +118,17 @@ module slb_fill #(
     passed        = 1'b0;
     plain         = '0;
     plain_covered = '0;
-    for (int i = 0; i < SPAN; i++) begin
-      if (touched[i]) begin
-        passed = own[i];
-      end else if (passed) begin
-        plain[i]         = 1'b1;
-        plain_covered[i] = (mutations_pkg::SLB_PLAIN_BEFORE ? base : behind) > 0;
-      end else if (span_begins && (own == '0 || (SPAN'(1) << i) < own)) begin
-        plain[i]         = 1'b1;
-        plain_covered[i] = base > 0;
+    if (valid1_q) begin
+      for (int i = 0; i < SPAN; i++) begin
+        if (touched[i]) begin
+          passed = own[i];
+        end else if (passed) begin
+          plain[i]         = 1'b1;
+          plain_covered[i] = (mutations_pkg::SLB_PLAIN_BEFORE ? base : behind) > 0;
+        end else if (span_begins && (own == '0 || (SPAN'(1) << i) < own)) begin
+          plain[i]         = 1'b1;
+          plain_covered[i] = base > 0;
+        end
       end
     end
   end
@@ -133,13 +143,15 @@ module slb_fill #(
   assign flat  = started_q ? flat_q : (flat_i ? plain_covered : '0);
   assign entry = left != '0;
   always_comb begin
-    slot = '0;
-    for (int i = SLOTS - 1; i >= 0; i--) begin
-      if (left[i]) slot = SLOT_BITS'(i);
-    end
+    slot      = '0;
     flat_line = '0;
-    for (int i = SPAN - 1; i >= 0; i--) begin
-      if (flat[i]) flat_line = LINE_BITS'(i);
+    if (valid1_q) begin
+      for (int i = SLOTS - 1; i >= 0; i--) begin
+        if (left[i]) slot = SLOT_BITS'(i);
+      end
+      for (int i = SPAN - 1; i >= 0; i--) begin
+        if (flat[i]) flat_line = LINE_BITS'(i);
+      end
     end
   end
   assign left_after = left & (left - 1'b1);
@@ -177,12 +189,14 @@ module slb_fill #(
   always_comb begin
     pixels_o         = '0;
     covered_pixels_o = '0;
-    for (int i = 0; i < SPAN; i++) begin
-      if (plain_write_o[i])          pixels_o = pixels_o + 7'(SLOTS);
-      if (first && plain_covered[i]) covered_pixels_o = covered_pixels_o + 7'(SLOTS);
-    end
-    for (int i = 0; i < SLOTS; i++) begin
-      if (first && own != '0 && covered[i] && !lines1_q[i]) covered_pixels_o = covered_pixels_o + 7'd1;
+    if (first) begin
+      for (int i = 0; i < SPAN; i++) begin
+        if (plain_write_o[i]) pixels_o = pixels_o + 7'(SLOTS);
+        if (plain_covered[i]) covered_pixels_o = covered_pixels_o + 7'(SLOTS);
+      end
+      for (int i = 0; i < SLOTS; i++) begin
+        if (own != '0 && covered[i] && !lines1_q[i]) covered_pixels_o = covered_pixels_o + 7'd1;
+      end
     end
   end
 

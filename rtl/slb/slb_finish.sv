@@ -12,6 +12,7 @@ module slb_finish #(
   // Derived; not to be overridden.
   parameter int unsigned ENTRY = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS)
 ) (
+  input  logic                           valid_i,    // else nothing that comes out means anything
   input  logic [ENTRY-1:0]               entry_i,
   input  logic [FRAGS_PER_PIXEL-1:0]     centre_i,
   input  logic signed [WINDING_BITS-1:0] winding_i,  // W at the lower left corner
@@ -48,10 +49,10 @@ module slb_finish #(
     assign op[i*2+:2]    = fragments[i*FB+D+OB+:2];
     assign cont[i]       = fragments[i*FB+FB-1];
     slb_line_centre #(.FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .ROUNDING(ROUNDING)) u_a (
-      .line_i(fragments[i*FB+D+OB+2+:L]), .contains_o(in_a[i])
+      .valid_i, .line_i(fragments[i*FB+D+OB+2+:L]), .contains_o(in_a[i])
     );
     slb_line_centre #(.FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .ROUNDING(ROUNDING)) u_b (
-      .line_i(fragments[i*FB+D+OB+2+L+:L]), .contains_o(in_b[i])
+      .valid_i, .line_i(fragments[i*FB+D+OB+2+L+:L]), .contains_o(in_b[i])
     );
   end
 
@@ -59,7 +60,7 @@ module slb_finish #(
   logic [D-1:0] group_depth;
   logic [3:0]   chains;
   slb_last_group #(.FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .COUNT_BITS(CB)) u_group (
-    .count_i(count), .cont_i(cont), .op_i(op), .depth_i(depth), .member_o(member), .first_o(first),
+    .valid_i, .count_i(count), .cont_i(cont), .op_i(op), .depth_i(depth), .member_o(member), .first_o(first),
     .depth_o(group_depth), .chains_o(chains)
   );
 
@@ -94,23 +95,30 @@ module slb_finish #(
   logic [K*FB-1:0] new_fragments;
   logic [2:0]      removed;
   always_comb begin
-    new_fragments = fragments;
-    centre_o      = centre_i;
+    new_fragments = 'x;
+    centre_o      = 'x;
     removed       = '0;
-    for (int i = 0; i < K; i++) begin
-      if (open && member[i] && !keeps) begin
-        new_fragments[i*FB+:FB] = '0;
-        removed                 = removed + 3'd1;
-      end else if (open && first[i]) begin
-        new_fragments[i*FB+FB-2-:TB] = code;
-        centre_o[i]                  = containing > 4'(code);  // at least T of its chains
+    if (valid_i) begin
+      new_fragments = fragments;
+      centre_o      = centre_i;
+      for (int i = 0; i < K; i++) begin
+        if (open && member[i] && !keeps) begin
+          new_fragments[i*FB+:FB] = '0;
+          removed                 = removed + 3'd1;
+        end else if (open && first[i]) begin
+          new_fragments[i*FB+FB-2-:TB] = code;
+          centre_o[i]                  = containing > 4'(code);  // at least T of its chains
+        end
       end
     end
   end
 
   logic [D-1:0]  new_full_depth;
   assign new_full_depth = (covered_o && flat_i && depth_i < full_depth) ? depth_i : full_depth;
-  assign entry_o        = {new_fragments, new_full_depth, R'(0), 1'b0, overflow, CB'(3'(count) - removed)};
+  always_comb begin
+    entry_o = 'x;
+    if (valid_i) entry_o = {new_fragments, new_full_depth, R'(0), 1'b0, overflow, CB'(3'(count) - removed)};
+  end
 
   logic unused_group;
   assign unused_group = ^group_depth;

@@ -11,6 +11,7 @@ module slb_insert #(
   parameter int unsigned LINE  = slb_pkg::line_bits(FRAC_BITS, SLOPE_BITS),
   parameter int unsigned ENTRY = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS)
 ) (
+  input  logic                             valid_i,     // else nothing that comes out means anything
   input  logic [ENTRY-1:0]                 entry_i,
   input  logic [FRAGS_PER_PIXEL-1:0]       centre_i,    // in a finished group's first fragment: it covers the centre
   // The chain.
@@ -59,7 +60,7 @@ module slb_insert #(
   logic [D-1:0] group_depth;
   logic [3:0]   chains;
   slb_last_group #(.FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .COUNT_BITS(CB)) u_group (
-    .count_i(count), .cont_i(cont), .op_i(op), .depth_i(depth), .member_o(member), .first_o(first),
+    .valid_i, .count_i(count), .cont_i(cont), .op_i(op), .depth_i(depth), .member_o(member), .first_o(first),
     .depth_o(group_depth), .chains_o(chains)
   );
   logic found;
@@ -77,7 +78,7 @@ module slb_insert #(
   logic [2:0]   evict_first, evict_length;
   logic [D-1:0] evict_depth;
   slb_evict #(.FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .COUNT_BITS(CB)) u_evict (
-    .count_i(count), .cont_i(cont), .depths_i(depth), .depth_i, .found_o(farther), .first_o(evict_first),
+    .valid_i, .count_i(count), .cont_i(cont), .depths_i(depth), .depth_i, .found_o(farther), .first_o(evict_first),
     .length_o(evict_length), .depth_o(evict_depth)
   );
   assign full  = count == CB'(K);
@@ -98,29 +99,35 @@ module slb_insert #(
   logic [FB-1:0]   fragment;
   assign place = 3'(count) - (evict ? evict_length : 3'd0);
   always_comb begin
-    kept_answer = 1'b0;
-    for (int i = 0; i < K; i++) begin
-      // Where fragment i comes from.
-      from        = (evict && 3'(i) >= evict_first) ? 3'(i) + evict_length : 3'(i);
-      fragment    = '0;
-      centre_o[i] = 1'b0;
-      for (int j = i; j < K; j++) begin
-        if (from == 3'(j)) begin
-          fragment    = fragments[j*FB+:FB];
-          centre_o[i] = centre_i[j];
-        end
-      end
-      if (evict && evict_first == 3'(i)) kept_answer = centre_i[i] && !mutations_pkg::SLB_FORGET_CENTRE;
-      if (append && place == 3'(i)) begin
-        fragment    = {open, TB'(0), b_i, a_i, op_i, object_i, depth_i};
+    kept_answer   = 1'b0;
+    from          = '0;
+    fragment      = '0;
+    new_fragments = 'x;
+    centre_o      = 'x;
+    if (valid_i) begin
+      for (int i = 0; i < K; i++) begin
+        // Where fragment i comes from.
+        from        = (evict && 3'(i) >= evict_first) ? 3'(i) + evict_length : 3'(i);
+        fragment    = '0;
         centre_o[i] = 1'b0;
+        for (int j = i; j < K; j++) begin
+          if (from == 3'(j)) begin
+            fragment    = fragments[j*FB+:FB];
+            centre_o[i] = centre_i[j];
+          end
+        end
+        if (evict && evict_first == 3'(i)) kept_answer = centre_i[i] && !mutations_pkg::SLB_FORGET_CENTRE;
+        if (append && place == 3'(i)) begin
+          fragment    = {open, TB'(0), b_i, a_i, op_i, object_i, depth_i};
+          centre_o[i] = 1'b0;
+        end
+        if (join_chain && free[i]) begin
+          fragment[D+OB+2+LINE+:LINE] = join_i;
+          fragment[D+OB+:2]           = slb_pkg::FRAGMENT_TWO;
+          if (depth_i > fragment[0+:D]) fragment[0+:D] = depth_i;
+        end
+        new_fragments[i*FB+:FB] = fragment;
       end
-      if (join_chain && free[i]) begin
-        fragment[D+OB+2+LINE+:LINE] = join_i;
-        fragment[D+OB+:2]           = slb_pkg::FRAGMENT_TWO;
-        if (depth_i > fragment[0+:D]) fragment[0+:D] = depth_i;
-      end
-      new_fragments[i*FB+:FB] = fragment;
     end
   end
 
@@ -138,9 +145,14 @@ module slb_insert #(
   logic [CB-1:0] new_count;
   assign new_full_depth = (evict && kept_answer && evict_depth < full_depth) ? evict_depth : full_depth;
   assign new_count      = CB'(place) + CB'(append);
-  assign entry_o        = {
-    new_fragments, new_full_depth, new_corner, open || append, overflow || dropped_o || reduced_o || evict, new_count
-  };
+  always_comb begin
+    entry_o = 'x;
+    if (valid_i) begin
+      entry_o = {
+        new_fragments, new_full_depth, new_corner, open || append, overflow || dropped_o || reduced_o || evict, new_count
+      };
+    end
+  end
 
   logic unused_group;
   assign unused_group = ^{first, group_depth, chains};

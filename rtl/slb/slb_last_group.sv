@@ -6,6 +6,7 @@ module slb_last_group #(
   parameter int unsigned DEPTH_BITS      = 20,
   parameter int unsigned COUNT_BITS      = 2
 ) (
+  input  logic                                  valid_i,   // else there is none
   input  logic [COUNT_BITS-1:0]                 count_i,
   input  logic [FRAGS_PER_PIXEL-1:0]            cont_i,
   input  logic [FRAGS_PER_PIXEL*2-1:0]          op_i,
@@ -26,7 +27,7 @@ module slb_last_group #(
     chains_o = '0;
     done     = 1'b0;
     for (int i = FRAGS_PER_PIXEL - 1; i >= 0; i--) begin
-      if (COUNT_BITS'(i) < count_i && !done) begin
+      if (valid_i && COUNT_BITS'(i) < count_i && !done) begin
         member_o[i] = 1'b1;
         first_o[i]  = !cont_i[i];
         done        = !cont_i[i];

@@ -52,25 +52,32 @@ module slb_line_better #(
     assign score2 = '0;
   end
 
-  logic [2:0] level_q;
+  logic level_1_q, level_2_q, level_3_q;
   always_ff @(posedge clk_i) begin
-    if (en_i[0]) level_q[0] <= level_i;
-    if (en_i[1]) level_q[1] <= level_q[0];
-    if (en_i[2]) level_q[2] <= level_q[1];
+    if (en_i[0]) level_1_q <= level_i;
+    if (en_i[1]) level_2_q <= level_1_q;
+    if (en_i[2]) level_3_q <= level_2_q;
   end
 
   // A straight line is candidate 1 with slope 0 everywhere.
   logic          second, third;
   logic [EB-1:0] score;  // of the better of the first two
-  assign second = ok[1] && !(ok[0] && (score0 < score1 || (score0 == score1 && !mutations_pkg::SLB_LAST_OF_EQUAL)));
-  assign score  = second ? score1 : score0;
-  assign third  = ok[2] && !((ok[0] || ok[1]) && score <= score2);
+  always_comb begin
+    second = 'x;
+    score  = 'x;
+    third  = 'x;
+    if (en_i[3]) begin
+      second = ok[1] && !(ok[0] && (score0 < score1 || (score0 == score1 && !mutations_pkg::SLB_LAST_OF_EQUAL)));
+      score  = second ? score1 : score0;
+      third  = ok[2] && !((ok[0] || ok[1]) && score <= score2);
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (en_i[3]) begin
-      cross_o <= !level_q[2] && (second || third);
-      frac_o  <= level_q[2] ? frac0 : third ? frac2 : second ? frac1 : frac0;
-      slope_o <= level_q[2] ? '0 : third ? slope2 : second ? slope1 : slope0;
+      cross_o <= !level_3_q && (second || third);
+      frac_o  <= level_3_q ? frac0 : third ? frac2 : second ? frac1 : frac0;
+      slope_o <= level_3_q ? '0 : third ? slope2 : second ? slope1 : slope0;
     end
   end
 

@@ -33,19 +33,26 @@ module slb_line_candidate #(
   // 1. Fraction (HALFWAY: floor, and the pixel's end belongs to the code before; else to nearest, ties up).
   logic signed [CB-1:0]  rounded;
   logic signed [CB-B-1:0] code;
-  assign rounded = HALFWAY ? stored_i : stored_i + signed'(CB'(1 << (B - 1)));
-  assign code    = rounded[CB-1:B] - signed'((CB - B)'(HALFWAY && stored_i == U));
-  logic unused_fraction;
-  assign unused_fraction = ^rounded[B-1:0];
-
   logic                 in_range;  // 0 <= code <= D0 - h
   logic signed [HB-1:0] back, difference, stored_off;
-  assign in_range   = code[CB-B-1:F] == '0 && !(HALFWAY && code[F-1:0] == '1);
-  assign back       = signed'({code[CB-B-1:0], HALFWAY, {B{1'b0}}});
-  assign difference = back - signed'({other_i, other_inexact_i});
-  assign stored_off = back - signed'({stored_i, stored_inexact_i});
-  logic unused_top;
-  assign unused_top = ^{difference[HB-1], stored_off[HB-1:B+2]};
+  always_comb begin
+    rounded    = 'x;
+    code       = 'x;
+    in_range   = 'x;
+    back       = 'x;
+    difference = 'x;
+    stored_off = 'x;
+    if (en_i[0]) begin
+      rounded    = HALFWAY ? stored_i : stored_i + signed'(CB'(1 << (B - 1)));
+      code       = rounded[CB-1:B] - signed'((CB - B)'(HALFWAY && stored_i == U));
+      in_range   = code[CB-B-1:F] == '0 && !(HALFWAY && code[F-1:0] == '1);
+      back       = signed'({code[CB-B-1:0], HALFWAY, {B{1'b0}}});
+      difference = back - signed'({other_i, other_inexact_i});
+      stored_off = back - signed'({stored_i, stored_inexact_i});
+    end
+  end
+  logic unused_bits;
+  assign unused_bits = ^{rounded[B-1:0], difference[HB-1], stored_off[HB-1:B+2]};
 
   logic                 ok_1_q, xsign_1_q, plus_1_q;
   logic [F-1:0]         frac_1_q;
@@ -102,20 +109,31 @@ module slb_line_candidate #(
 
   logic signed [EB-1:0] e1, e2_raw, e2, sum;
   logic [EB-1:0]        e1_abs, e2_abs, sum_abs, larger;
-  if (F == S) begin : gen_common
-    assign e1     = EB'(off_2_q);
-    assign e2_raw = EB'(t_2_q) - signed'(EB'(slope_2_q) << (B + 1));
-  end else begin : gen_scaled
-    assign e1     = (EB'(off_2_q) <<< S) - EB'(off_2_q);
-    assign e2_raw = (EB'(t_2_q) <<< S) - EB'(t_2_q)
-                    - signed'(((EB'(slope_2_q) << F) - EB'(slope_2_q)) << (B + 1));
+  always_comb begin
+    e1      = 'x;
+    e2_raw  = 'x;
+    e2      = 'x;
+    sum     = 'x;
+    e1_abs  = 'x;
+    e2_abs  = 'x;
+    sum_abs = 'x;
+    larger  = 'x;
+    if (en_i[2]) begin
+      if (F == S) begin
+        e1     = EB'(off_2_q);
+        e2_raw = EB'(t_2_q) - signed'(EB'(slope_2_q) << (B + 1));
+      end else begin
+        e1     = (EB'(off_2_q) <<< S) - EB'(off_2_q);
+        e2_raw = (EB'(t_2_q) <<< S) - EB'(t_2_q) - signed'(((EB'(slope_2_q) << F) - EB'(slope_2_q)) << (B + 1));
+      end
+      e2      = plus_2_q ? e2_raw : -e2_raw;
+      sum     = e1 + e2;
+      e1_abs  = e1[EB-1] ? EB'(-e1) : EB'(e1);
+      e2_abs  = e2[EB-1] ? EB'(-e2) : EB'(e2);
+      sum_abs = sum[EB-1] ? EB'(-sum) : EB'(sum);
+      larger  = (e1_abs > e2_abs) ? e1_abs : e2_abs;
+    end
   end
-  assign e2      = plus_2_q ? e2_raw : -e2_raw;
-  assign sum     = e1 + e2;
-  assign e1_abs  = e1[EB-1] ? EB'(-e1) : EB'(e1);
-  assign e2_abs  = e2[EB-1] ? EB'(-e2) : EB'(e2);
-  assign sum_abs = sum[EB-1] ? EB'(-sum) : EB'(sum);
-  assign larger  = (e1_abs > e2_abs) ? e1_abs : e2_abs;
 
   always_ff @(posedge clk_i) begin
     if (en_i[2]) begin

@@ -8,6 +8,7 @@ module slb_line_centre #(
   // Derived; not to be overridden.
   parameter int unsigned LINE = slb_pkg::line_bits(FRAC_BITS, SLOPE_BITS)
 ) (
+  input  logic            valid_i,
   input  logic [LINE-1:0] line_i,
   output logic            contains_o
 );
@@ -17,7 +18,7 @@ module slb_line_centre #(
   logic signed [TERM-1:0] offset, rise;
   logic                   inner;
   slb_line_terms #(.FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .POINT_BITS(1), .ROUNDING(ROUNDING)) u_terms (
-    .line_i, .x_i(1'b1), .y_i(1'b1), .offset_o(offset), .rise_o(rise), .inner_o(inner)
+    .valid_i, .line_i, .x_i(1'b1), .y_i(1'b1), .offset_o(offset), .rise_o(rise), .inner_o(inner)
   );
   assign contains_o = inner ? offset >= rise : offset <= rise;
 

@@ -35,7 +35,6 @@ module slb_line_encoder #(
   logic signed [CB-1:0] c0_q, c1_q;
   logic                 i0_q, i1_q, negative_q, level_q;
   logic [K:0]           slope_q;
-  logic [4:0]           major_q, inner_q, xsign_q;  // bit n: stage n
   always_ff @(posedge clk_i) begin
     if (en_i[0]) begin
       c0_q       <= crossing(low_i[K+3:1]);
@@ -46,12 +45,17 @@ module slb_line_encoder #(
       level_q    <= level_i;
       slope_q    <= slope_i;
     end
-    for (int unsigned n = 0; n < 5; n++) begin
-      if (en_i[n]) begin
-        major_q[n] <= (n == 0) ? y_major_i : major_q[(n+4)%5];
-        xsign_q[n] <= (n == 0) ? negative_i : xsign_q[(n+4)%5];
-        inner_q[n] <= (n == 0) ? y_major_i != forward_i : inner_q[(n+4)%5];
-      end
+  end
+  // What goes beside the stages: major, xsign, inner.
+  for (genvar n = 0; n < 5; n++) begin : gen_beside
+    logic [2:0] beside, beside_q;
+    if (n == 0) begin : gen_first
+      assign beside = {y_major_i, negative_i, y_major_i != forward_i};
+    end else begin : gen_next
+      assign beside = gen_beside[n-1].beside_q;
+    end
+    always_ff @(posedge clk_i) begin
+      if (en_i[n]) beside_q <= beside;
     end
   end
 
@@ -73,6 +77,8 @@ module slb_line_encoder #(
     logic unused_level;
     assign unused_level = level_q ^ rst_ni;
   end
-  assign line_o = {major_q[4], xsign_q[4], at_one, inner_q[4], frac, slope};
+  logic major, xsign, inner;
+  assign {major, xsign, inner} = gen_beside[4].beside_q;
+  assign line_o                = {major, xsign, at_one, inner, frac, slope};
 
 endmodule

@@ -47,6 +47,13 @@ module slb_modify #(
 
   localparam int unsigned K = FRAGS_PER_PIXEL;
 
+  // Of the three only the one that the update is for does anything.
+  logic insert, finish, line, sample;
+  assign insert = valid_i && kind_i == slb_pkg::UPDATE_INSERT;
+  assign finish = valid_i && kind_i == slb_pkg::UPDATE_FINISH;
+  assign line   = valid_i && kind_i == slb_pkg::UPDATE_LINE;
+  assign sample = valid_i && kind_i == slb_pkg::UPDATE_COVER;
+
   logic             covered, rim;
   logic [K-1:0]     centre;
   logic [ENTRY-1:0] entry;
@@ -58,7 +65,7 @@ module slb_modify #(
   slb_insert #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(DEPTH_BITS)
   ) u_insert (
-    .entry_i(entry), .centre_i(centre), .depth_i, .object_i, .op_i, .a_i, .b_i, .join_i, .contains_i, .corner_i,
+    .valid_i(insert), .entry_i(entry), .centre_i(centre), .depth_i, .object_i, .op_i, .a_i, .b_i, .join_i, .contains_i, .corner_i,
     .entry_o(inserted_entry), .centre_o(inserted_centre), .dropped_o(dropped), .reduced_o(reduced),
     .evicted_o(evicted)
   );
@@ -70,7 +77,7 @@ module slb_modify #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(DEPTH_BITS),
     .WINDING_BITS(WINDING), .ROUNDING(ROUNDING)
   ) u_finish (
-    .entry_i(entry), .centre_i(centre), .winding_i, .flat_i, .depth_i(flat_depth_i), .entry_o(finished_entry),
+    .valid_i(finish), .entry_i(entry), .centre_i(centre), .winding_i, .flat_i, .depth_i(flat_depth_i), .entry_o(finished_entry),
     .centre_o(finished_centre), .covered_o(finished_covered), .rim_o(finished_rim)
   );
 
@@ -79,22 +86,16 @@ module slb_modify #(
   slb_cover #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(DEPTH_BITS)
   ) u_cover (
-    .entry_i(entry), .covered_i(covered), .rim_i(rim), .front_i, .depth_i, .margin_i, .entry_o(lowered_entry),
+    .valid_i(sample), .entry_i(entry), .covered_i(covered), .rim_i(rim), .front_i, .depth_i, .margin_i, .entry_o(lowered_entry),
     .used_o(used)
   );
 
   always_comb begin
-    case (kind_i)
-      slb_pkg::UPDATE_INSERT: word_o = {covered, rim, inserted_centre, inserted_entry};
-      slb_pkg::UPDATE_FINISH: word_o = {finished_covered, finished_rim, finished_centre, finished_entry};
-      default:                word_o = {covered, rim, centre, lowered_entry};
-    endcase
+    word_o = 'x;
+    if (insert) word_o = {covered, rim, inserted_centre, inserted_entry};
+    if (finish) word_o = {finished_covered, finished_rim, finished_centre, finished_entry};
+    if (sample) word_o = {covered, rim, centre, lowered_entry};
   end
-  logic insert, finish, line, sample;
-  assign insert       = valid_i && kind_i == slb_pkg::UPDATE_INSERT;
-  assign finish       = valid_i && kind_i == slb_pkg::UPDATE_FINISH;
-  assign line         = valid_i && kind_i == slb_pkg::UPDATE_LINE;
-  assign sample       = valid_i && kind_i == slb_pkg::UPDATE_COVER;
   assign write_o      = insert || finish || (sample && used);
   assign line_write_o = line || (finish && !mutations_pkg::SLB_ENTRY_ALONE);
   assign line_depth_o = flat_i ? flat_depth_i : '1;

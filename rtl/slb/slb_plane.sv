@@ -99,45 +99,69 @@ module slb_plane #(
   logic [WORD-1:0]       write_word;
   logic [LINE_BITS-1:0]  line_q, b_line;
   logic [SLOTS-1:0]      line_slots_q;
-  logic [SLOTS*LANE-1:0] line_lanes_q;
   logic                  write_covered, write_rim;
-  logic [K-1:0]          write_centre;
-  logic [HIGH-1:0]       write_high;
   logic [D-1:0]          write_full;
-  logic [LOW-1:0]        write_low;
-  assign {write_covered, write_rim, write_centre, write_high, write_full, write_low} = write_word;
+  assign {write_covered, write_rim} = write_word[WORD-1-:2];
+  assign write_full                 = write_word[LOW+:D];
   always_comb begin
     if (scrubbing_o)       b_line = scrub_line_o;
     else if (line_write_q) b_line = line_q;
     else                   b_line = write_index[INDEX_BITS-1:SLOT_BITS];
   end
 
-  // ---- Banks ----
-  logic [SLOTS*LANE-1:0] read_lanes, lanes;
+  // ---- Banks: who reads, who writes, what ----
+  logic             line_update;  // a line is at the end of the update port's stages
+  logic [SLOTS-1:0] bank_reads, bank_writes;
+  always_comb begin
+    bank_reads  = '0;
+    bank_writes = '0;
+    if (read_any)    bank_reads[a_slot] = 1'b1;
+    if (take && update_line_i) bank_reads = '1;
+    if (line_write_q) bank_writes = line_slots_q;
+    if (write)       bank_writes[write_index[SLOT_BITS-1:0]] = 1'b1;
+    if (scrubbing_o) bank_writes = '1;
+  end
+
+  // What a line's update makes of a lane. No depth is nearer than all ones: without a flat caster the entry stays as stale
+  // as it was.
+  function automatic logic [LANE-1:0] filled(logic [LANE-1:0] lane, logic covered, logic [D-1:0] depth, logic [G-1:0] now);
+    logic [G-1:0] old;
+    logic [D-1:0] full;
+    logic         has, unused_covered, unused_rim, fresh, lower;
+    {old, has, unused_covered, unused_rim, full} = lane;
+    fresh  = old == now;
+    lower  = covered && depth < (fresh ? full : {D{1'b1}});
+    filled = {lower ? now : old, has && fresh, covered, 1'b0, lower ? depth : full};
+  endfunction
+
+  // An array, not one wide vector: a simulation then touches the lanes that move.
+  (* mem2reg *) logic [LANE-1:0] lanes [SLOTS];
   for (genvar slot = 0; slot < SLOTS; slot++) begin : gen_banks
-    logic            write_slot;
-    logic [LANE-1:0] new_lane, unused_lane;
-    assign write_slot = write && write_index[SLOT_BITS-1:0] == SLOT_BITS'(slot);
+    logic [LANE-1:0] read_lane, lane, line_lane_q, new_lane, unused_lane;
     always_comb begin
-      if (scrubbing_o)     new_lane = '0;
-      else if (write_slot) new_lane = {generation, 1'b1, write_covered, write_rim, write_full};
-      else                 new_lane = line_lanes_q[slot*LANE+:LANE];
+      new_lane = 'x;
+      if (bank_writes[slot]) begin
+        if (scrubbing_o)                              new_lane = '0;
+        else if (line_write_q && line_slots_q[slot])  new_lane = line_lane_q;
+        else                                          new_lane = {generation, 1'b1, write_covered, write_rim, write_full};
+      end
     end
     plane_bank #(.ADDRESS_BITS(LINE_BITS), .WIDTH(LANE)) u_bank (
-      .clk_i,
-      .a_read_i   (read_any && ((take && update_line_i) || a_slot == SLOT_BITS'(slot))),
-      .a_address_i(a_line),
-      .a_word_o   (read_lanes[slot*LANE+:LANE]),
-      .b_read_i   (1'b0),
-      .b_write_i  (scrubbing_o || write_slot || (line_write_q && line_slots_q[slot])),
-      .b_address_i(b_line),
-      .b_word_i   (new_lane),
-      .b_word_o   (unused_lane)
+      .clk_i, .a_read_i(bank_reads[slot]), .a_address_i(a_line), .a_word_o(read_lane), .b_read_i(1'b0),
+      .b_write_i(bank_writes[slot]), .b_address_i(b_line), .b_word_i(new_lane), .b_word_o(unused_lane)
     );
+    delay_line #(.WIDTH(LANE), .CYCLES(READ_LATENCY - 1)) u_delay (.clk_i, .data_i(read_lane), .data_o(lane));
+    assign lanes[slot] = lane;
+    always_ff @(posedge clk_i) begin
+      if (line_update) line_lane_q <= filled(lane, line_covered_i[slot], line_depth_i, generation);
+    end
   end
-  delay_line #(.WIDTH(SLOTS * LANE), .CYCLES(READ_LATENCY - 1)) u_lanes (.clk_i, .data_i(read_lanes), .data_o(lanes));
 
-  logic [FRAG-1:0] read_fragments, fragments, unused_fragments;
+  logic [FRAG-1:0] write_fragments, read_fragments, fragments, unused_fragments;
+  always_comb begin
+    write_fragments = 'x;
+    if (write) write_fragments = {write_word[ENTRY+:K], write_word[LOW+D+:HIGH], write_word[LOW-1:0]};
+  end
   plane_bank #(.ADDRESS_BITS(INDEX_BITS), .WIDTH(FRAG)) u_fragments (
     .clk_i,
     .a_read_i   (read_any),
@@ -146,7 +170,7 @@ module slb_plane #(
     .b_read_i   (1'b0),
     .b_write_i  (write),
     .b_address_i(write_index),
-    .b_word_i   ({write_centre, write_high, write_low}),
+    .b_word_i   (write_fragments),
     .b_word_o   (unused_fragments)
   );
   delay_line #(.WIDTH(FRAG), .CYCLES(READ_LATENCY - 1)) u_fragment_delay (
@@ -182,13 +206,23 @@ module slb_plane #(
   logic [D-1:0]    lane_full;
   logic [FRAG-1:0] seen;
   logic [WORD-1:0] word;
-  assign {lane_generation, lane_has, lane_covered, lane_rim, lane_full} = lanes[word_slot*LANE+:LANE];
-  assign current = lane_generation == generation;
-  assign seen    = (current && lane_has) ? fragments : '0;
-  assign word    = {
-    line_plain ? line_covered : lane_covered, lane_rim && !line_plain, seen[LOW+:K+HIGH],
-    current ? lane_full : {D{1'b1}}, seen[LOW-1:0]
-  };
+  logic word_read;  // there is one
+  delay_line #(.WIDTH(1), .CYCLES(READ_LATENCY)) u_word_read (.clk_i, .data_i(read_any), .data_o(word_read));
+  always_comb begin
+    {lane_generation, lane_has, lane_covered, lane_rim, lane_full} = 'x;
+    current = 'x;
+    seen    = 'x;
+    word    = 'x;
+    if (word_read) begin
+      {lane_generation, lane_has, lane_covered, lane_rim, lane_full} = lanes[word_slot];
+      current = lane_generation == generation;
+      seen    = (current && lane_has) ? fragments : '0;
+      word    = {
+        line_plain ? line_covered : lane_covered, lane_rim && !line_plain, seen[LOW+:K+HIGH],
+        current ? lane_full : {D{1'b1}}, seen[LOW-1:0]
+      };
+    end
+  end
 
   // ---- Updates ----
   logic                  update_idle;
@@ -203,29 +237,16 @@ module slb_plane #(
 
   // A line goes through the same stages, alone or with an entry of its own, so that one write a cycle is left at their end.
   // Nothing is forwarded to it: its slots and the entries updated in a FILL are not the same.
+  assign line_update = modify_valid_o && line_write_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) line_write_q <= 1'b0;
-    else         line_write_q <= modify_valid_o && line_write_i;
-  end
-  for (genvar slot = 0; slot < SLOTS; slot++) begin : gen_line
-    logic [G-1:0] old_generation;
-    logic         old_has, old_covered, old_rim, fresh, lower, unused_flags;
-    logic [D-1:0] old_full;
-    assign {old_generation, old_has, old_covered, old_rim, old_full} = lanes[slot*LANE+:LANE];
-    assign unused_flags = old_covered ^ old_rim;
-    assign fresh        = old_generation == generation;
-    // No depth is nearer than all ones: without a flat caster the entry stays as stale as it was.
-    assign lower        = line_covered_i[slot] && line_depth_i < (fresh ? old_full : {D{1'b1}});
-    always_ff @(posedge clk_i) begin
-      line_lanes_q[slot*LANE+:LANE] <= {
-        lower ? generation : old_generation, old_has && fresh, line_covered_i[slot], 1'b0,
-        lower ? line_depth_i : old_full
-      };
-    end
+    else         line_write_q <= line_update;
   end
   always_ff @(posedge clk_i) begin
-    line_q       <= modify_index[INDEX_BITS-1:SLOT_BITS];
-    line_slots_q <= line_slots_i;
+    if (line_update) begin
+      line_q       <= modify_index[INDEX_BITS-1:SLOT_BITS];
+      line_slots_q <= line_slots_i;
+    end
   end
 
   // ---- Read port ----

@@ -54,7 +54,6 @@ module slb_query #(
   localparam int unsigned FB    = slb_pkg::fragment_bits(FRAC_BITS, SLOPE_BITS, K, D);
   localparam int unsigned POINT = Q + 1;
   localparam int unsigned TERM  = FRAC_BITS + SLOPE_BITS + POINT + 4;
-  localparam int unsigned RANK  = slb_pkg::CORNER_BITS + 1;
 
   // ---- Split: a register between the item and the read port ----
   logic             valid0_q, free0, off_plane0_q;
@@ -71,7 +70,7 @@ module slb_query #(
     else if (free0) valid0_q <= item_valid_i;
   end
   always_ff @(posedge clk_i) begin
-    if (free0) begin
+    if (free0 && item_valid_i) begin
       off_plane0_q <= x[WIDTH-1-:2] != '0 || y[WIDTH-1-:2] != '0;
       column0_q    <= x[Q+:P];
       row0_q       <= y[Q+:P];
@@ -84,7 +83,10 @@ module slb_query #(
   end
   assign read_valid_o = valid0_q;
   assign read_index_o = {row0_q, column0_q};  // of some entry, where the point is off the plane
-  assign read_tag_o   = {off_plane0_q, number0_q, bias0_q, depth0_q, y0_q, x0_q};
+  always_comb begin
+    read_tag_o = 'x;
+    if (valid0_q) read_tag_o = {off_plane0_q, number0_q, bias0_q, depth0_q, y0_q, x0_q};
+  end
 
   // ---- The entry has come: stages 1 to 3 move together ----
   logic [2:0] valid_q;  // bit s - 1: stage s
@@ -96,65 +98,61 @@ module slb_query #(
     else if (en) valid_q <= {valid_q[1:0], entry_valid_i};
   end
 
-  // ---- Stage 1: terms of all lines, read at + 1/2 ulp ----
-  localparam int unsigned BESIDE = 1 + 16 + 2 * D;  // of the tag, without the position
-  logic [K*FB-1:0]       fragments;
-  logic [D-1:0]          full_depth;
-  logic [RANK-1:0]       unused_state;  // corner, open: 0 outside of objects
-  logic                  overflow;
-  logic [CB-1:0]         count;
-  logic [Q-1:0]          point_x, point_y;
-  logic [BESIDE-1:0]     beside;
-  assign {fragments, full_depth, unused_state, overflow, count} = entry_i;
-  assign {beside, point_y, point_x}                             = entry_tag_i;
-
-  logic [2*K*TERM-1:0] offset, rise, offset1_q, rise1_q;
-  logic [2*K-1:0]      inner, inner1_q, contains, contains2_q;
+  // ---- Stage 1: terms of all lines, read at + 1/2 ulp; stage 2: the sign of their difference ----
+  localparam int unsigned BESIDE = 1 + 16 + 2 * D;    // of the tag, without the position
+  localparam int unsigned FIRST  = ENTRY - K * FB;    // lowest bit of the first fragment
+  logic         take1, take2, take3;
+  logic [2*K-1:0] contains2_q;
+  assign take1 = en && entry_valid_i;
+  assign take2 = en && valid_q[0];
+  assign take3 = en && valid_q[1];
   for (genvar i = 0; i < 2 * K; i++) begin : gen_lines
+    logic signed [TERM-1:0] offset, rise, offset1_q, rise1_q;
+    logic                   inner, inner1_q;
     slb_line_terms #(
       .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .POINT_BITS(POINT), .ROUNDING(ROUNDING)
     ) u_terms (
-      .line_i(fragments[(i/2)*FB+D+OB+2+(i%2)*L+:L]), .x_i({point_x, 1'b1}), .y_i({point_y, 1'b1}),
-      .offset_o(offset[i*TERM+:TERM]), .rise_o(rise[i*TERM+:TERM]), .inner_o(inner[i])
+      .valid_i(take1), .line_i(entry_i[FIRST+(i/2)*FB+D+OB+2+(i%2)*L+:L]), .x_i({entry_tag_i[0+:Q], 1'b1}),
+      .y_i({entry_tag_i[Q+:Q], 1'b1}), .offset_o(offset), .rise_o(rise), .inner_o(inner)
     );
-    // ---- Stage 2: the sign of their difference; a border belongs to both sides ----
-    logic signed [TERM-1:0] o, r;
-    assign o           = offset1_q[i*TERM+:TERM];
-    assign r           = rise1_q[i*TERM+:TERM];
-    assign contains[i] = inner1_q[i] ? (mutations_pkg::SLB_OPEN_HALF_PLANE ? o > r : o >= r) : o <= r;
+    always_ff @(posedge clk_i) begin
+      if (take1) begin
+        offset1_q <= offset;
+        rise1_q   <= rise;
+        inner1_q  <= inner;
+      end
+      // A border belongs to both sides.
+      if (take2) begin
+        if (inner1_q) contains2_q[i] <= mutations_pkg::SLB_OPEN_HALF_PLANE ? offset1_q > rise1_q : offset1_q >= rise1_q;
+        else          contains2_q[i] <= offset1_q <= rise1_q;
+      end
+    end
   end
   // What else stages 1 and 2 carry: everything of the fragments but their lines.
-  logic [K*D-1:0]    depths, depths1_q, depths2_q;
-  logic [K*OB-1:0]   objects, objects1_q, objects2_q;
-  logic [K*2-1:0]    ops, ops1_q, ops2_q;
-  logic [K*TB-1:0]   thresholds, thresholds1_q, thresholds2_q;
-  logic [K-1:0]      conts, conts1_q, conts2_q;
+  logic [K*D-1:0]    depths1_q, depths2_q;
+  logic [K*OB-1:0]   objects1_q, objects2_q;
+  logic [K*2-1:0]    ops1_q, ops2_q;
+  logic [K*TB-1:0]   thresholds1_q, thresholds2_q;
+  logic [K-1:0]      conts1_q, conts2_q;
   logic [D-1:0]      full1_q, full2_q;
   logic              overflow1_q, overflow2_q;
   logic [CB-1:0]     count1_q, count2_q;
   logic [BESIDE-1:0] beside1_q, beside2_q;
-  for (genvar i = 0; i < K; i++) begin : gen_fields
-    assign depths[i*D+:D]       = fragments[i*FB+:D];
-    assign objects[i*OB+:OB]    = fragments[i*FB+D+:OB];
-    assign ops[i*2+:2]          = fragments[i*FB+D+OB+:2];
-    assign thresholds[i*TB+:TB] = fragments[i*FB+FB-2-:TB];
-    assign conts[i]             = fragments[i*FB+FB-1];
-  end
   always_ff @(posedge clk_i) begin
-    if (en) begin
-      offset1_q     <= offset;
-      rise1_q       <= rise;
-      inner1_q      <= inner;
-      depths1_q     <= depths;
-      objects1_q    <= objects;
-      ops1_q        <= ops;
-      thresholds1_q <= thresholds;
-      conts1_q      <= conts;
-      full1_q       <= full_depth;
-      overflow1_q   <= overflow;
-      count1_q      <= count;
-      beside1_q     <= beside;
-      contains2_q   <= contains;
+    if (take1) begin
+      for (int i = 0; i < K; i++) begin
+        depths1_q[i*D+:D]       <= entry_i[FIRST+i*FB+:D];
+        objects1_q[i*OB+:OB]    <= entry_i[FIRST+i*FB+D+:OB];
+        ops1_q[i*2+:2]          <= entry_i[FIRST+i*FB+D+OB+:2];
+        thresholds1_q[i*TB+:TB] <= entry_i[FIRST+i*FB+FB-2-:TB];
+        conts1_q[i]             <= entry_i[FIRST+i*FB+FB-1];
+      end
+      full1_q     <= entry_i[FIRST-1-:D];
+      overflow1_q <= entry_i[CB];
+      count1_q    <= entry_i[CB-1:0];
+      beside1_q   <= entry_tag_i[TAG-1-:BESIDE];
+    end
+    if (take2) begin
       depths2_q     <= depths1_q;
       objects2_q    <= objects1_q;
       ops2_q        <= ops1_q;
@@ -166,6 +164,8 @@ module slb_query #(
       beside2_q     <= beside1_q;
     end
   end
+  logic unused_state;  // corner, open: 0 outside of objects
+  assign unused_state = ^entry_i[FIRST-D-1:CB+1];
 
   // ---- Stage 3: the answer ----
   logic          off_plane, by_full, by_lines;
@@ -179,7 +179,7 @@ module slb_query #(
     assign in_b[i] = contains2_q[2*i+1];
   end
   slb_answer #(.FRAGS_PER_PIXEL(K), .DEPTH_BITS(D)) u_answer (
-    .count_i(count2_q), .full_depth_i(full2_q), .depth_i(depths2_q), .object_i(objects2_q), .op_i(ops2_q),
+    .valid_i(take3), .count_i(count2_q), .full_depth_i(full2_q), .depth_i(depths2_q), .object_i(objects2_q), .op_i(ops2_q),
     .threshold_i(thresholds2_q), .cont_i(conts2_q), .in_a_i(in_a), .in_b_i(in_b), .point_depth_i(depth),
     .bias_i(bias), .by_full_o(by_full), .by_lines_o(by_lines), .object_o(object)
   );
@@ -189,7 +189,7 @@ module slb_query #(
     answer.code         = gnomon_pkg::RESULT_SLB_ANSWER;
     answer.off_plane    = off_plane;
     answer.number       = number;
-    if (!off_plane) begin
+    if (take3 && !off_plane) begin
       answer.shadow       = by_full || by_lines;
       answer.by_full      = by_full;
       answer.by_lines     = by_lines;
@@ -199,18 +199,16 @@ module slb_query #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (en) answer3_q <= answer;
+    if (take3) answer3_q <= answer;
   end
   assign result_valid_o = valid_q[2];
   assign result_o       = answer3_q;
 
   assign idle_o = !valid0_q && valid_q == '0;  // and the read port is
 
-  logic unused_item;
   if (2 * WIDTH + D < 64) begin : gen_unused_item
-    assign unused_item = ^{item_i[63:2*WIDTH+D], unused_state};
-  end else begin : gen_whole_item
-    assign unused_item = ^unused_state;
+    logic unused_item;
+    assign unused_item = ^item_i[63:2*WIDTH+D];
   end
 
   `GNOMON_ASSERT_STREAM(a_read_stable, read_valid_o, read_ready_i, {read_index_o, read_tag_o})

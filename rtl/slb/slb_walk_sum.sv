@@ -8,6 +8,7 @@ module slb_walk_sum #(
   parameter int unsigned CELL_BITS = 11,
   parameter int unsigned UNIT      = 130048
 ) (
+  input  logic                        valid_i,     // else the sum means nothing
   input  logic                        subtract_i,
   input  logic [W-1:0]                den_i,
   input  logic signed [CELL_BITS-1:0] a_cell_i,
@@ -27,20 +28,34 @@ module slb_walk_sum #(
   logic signed [K+1:0] k;
   logic                r_over, r_under, k_over, k_under;
 
-  assign den     = {2'b00, den_i};
-  assign r       = subtract_i ? signed'({2'b00, a_r_i}) - signed'({2'b00, b_r_i})
-                              : signed'({2'b00, a_r_i}) + signed'({2'b00, b_r_i});
-  assign r_under = r < 0;
-  assign r_over  = r >= den;
-  assign r_o     = r_under ? W'(r + den) : r_over ? W'(r - den) : r[W-1:0];
+  always_comb begin
+    den     = 'x;
+    r       = 'x;
+    k       = 'x;
+    r_under = 'x;
+    r_over  = 'x;
+    k_under = 'x;
+    k_over  = 'x;
+    r_o     = 'x;
+    k_o     = 'x;
+    cell_o  = 'x;
+    if (valid_i) begin
+      den     = {2'b00, den_i};
+      r       = subtract_i ? signed'({2'b00, a_r_i}) - signed'({2'b00, b_r_i})
+                           : signed'({2'b00, a_r_i}) + signed'({2'b00, b_r_i});
+      r_under = r < 0;
+      r_over  = r >= den;
+      r_o     = r_under ? W'(r + den) : r_over ? W'(r - den) : r[W-1:0];
 
-  assign k       = subtract_i ? signed'({2'b00, a_k_i}) - signed'({2'b00, b_k_i}) - signed'((K + 2)'(r_under))
-                              : signed'({2'b00, a_k_i}) + signed'({2'b00, b_k_i}) + signed'((K + 2)'(r_over));
-  assign k_under = k < 0;
-  assign k_over  = k >= U;
-  assign k_o     = k_under ? K'(k + U) : k_over ? K'(k - U) : k[K-1:0];
+      k       = subtract_i ? signed'({2'b00, a_k_i}) - signed'({2'b00, b_k_i}) - signed'((K + 2)'(r_under))
+                           : signed'({2'b00, a_k_i}) + signed'({2'b00, b_k_i}) + signed'((K + 2)'(r_over));
+      k_under = k < 0;
+      k_over  = k >= U;
+      k_o     = k_under ? K'(k + U) : k_over ? K'(k - U) : k[K-1:0];
 
-  assign cell_o = (subtract_i ? a_cell_i - b_cell_i : a_cell_i + b_cell_i)
-                  + signed'(CELL_BITS'(k_over)) - signed'(CELL_BITS'(k_under));
+      cell_o  = (subtract_i ? a_cell_i - b_cell_i : a_cell_i + b_cell_i)
+                + signed'(CELL_BITS'(k_over)) - signed'(CELL_BITS'(k_under));
+    end
+  end
 
 endmodule

@@ -115,7 +115,7 @@ module slb_walker #(
   logic [W-1:0]      sum_r, ahead_r_n;
   logic              behind_inexact_n;
   slb_walk_sum #(.W(W), .K(K), .CELL_BITS(C + 1), .UNIT(UNIT)) u_ahead (
-    .subtract_i(1'b0), .den_i(den_q), .a_cell_i(ahead_cell_q), .a_k_i(ahead_k_q), .a_r_i(ahead_r_q),
+    .valid_i(step && to_major), .subtract_i(1'b0), .den_i(den_q), .a_cell_i(ahead_cell_q), .a_k_i(ahead_k_q), .a_r_i(ahead_r_q),
     .b_cell_i(step_cell_q), .b_k_i(step_k_q), .b_r_i(mutations_pkg::SLB_DRIFT ? '0 : step_r_q), .cell_o(sum_cell),
     .k_o(sum_k), .r_o(sum_r)
   );
@@ -133,7 +133,7 @@ module slb_walker #(
   logic [K-1:0]      start_k;
   logic [W-1:0]      start_r;
   slb_walk_sum #(.W(W), .K(K), .CELL_BITS(C + 1), .UNIT(UNIT)) u_behind (
-    .subtract_i(1'b1), .den_i(edge_den_i), .a_cell_i(edge_ahead_cell_i), .a_k_i(edge_ahead_k_i),
+    .valid_i(edge_valid_i), .subtract_i(1'b1), .den_i(edge_den_i), .a_cell_i(edge_ahead_cell_i), .a_k_i(edge_ahead_k_i),
     .a_r_i(edge_ahead_r_i), .b_cell_i(edge_step_cell_i), .b_k_i(edge_step_k_i), .b_r_i(edge_step_r_i),
     .cell_o(start_cell), .k_o(start_k), .r_o(start_r)
   );
@@ -217,10 +217,18 @@ module slb_walker #(
     relative = {3'(cell_of - {pixel[C-1], pixel}), k, inexact};
   endfunction
   logic [K+3:0] left_behind, left_ahead, entered_behind, entered_ahead;
-  assign left_behind    = relative(behind_cell_q, behind_k_q, behind_inexact_q, minor_q);
-  assign left_ahead     = relative(ahead_cell_q, ahead_k_q, ahead_r_q != '0, minor_q);
-  assign entered_behind = relative(behind_cell_n, behind_k_n, behind_inexact_n, minor_n);
-  assign entered_ahead  = relative(ahead_cell_n, ahead_k_n, ahead_r_n != '0, minor_n);
+  always_comb begin
+    left_behind    = 'x;
+    left_ahead     = 'x;
+    entered_behind = 'x;
+    entered_ahead  = 'x;
+    if (step) begin
+      left_behind    = relative(behind_cell_q, behind_k_q, behind_inexact_q, minor_q);
+      left_ahead     = relative(ahead_cell_q, ahead_k_q, ahead_r_q != '0, minor_q);
+      entered_behind = relative(behind_cell_n, behind_k_n, behind_inexact_n, minor_n);
+      entered_ahead  = relative(ahead_cell_n, ahead_k_n, ahead_r_n != '0, minor_n);
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) step_valid_o <= 1'b0;

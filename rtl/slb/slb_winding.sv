@@ -140,26 +140,42 @@ module slb_winding #(
   logic                    clear;
   logic [LINE_BITS-1:0]    clear_line, b_line, a_line;
   logic [SLOT_BITS-1:0]    slot;
-  logic [SLOTS*CHANGE-1:0] read_changes, changes;
+  (* mem2reg *) logic [CHANGE-1:0] changes [SLOTS];
   logic [SLOTS-1:0]        read_lines, lines;
   assign clear      = scrub_i || read;
   assign clear_line = scrub_i ? scrub_line_i : read_line;
   assign b_line     = clear ? clear_line : pixel_index[2*P-1:SLOT_BITS];
   assign a_line     = to_pixel ? wind_index[2*P-1:SLOT_BITS] : read_line;
+  logic [SLOTS-1:0] change_reads, change_writes, line_writes;
+  always_comb begin
+    change_reads  = '0;
+    change_writes = '0;
+    line_writes   = '0;
+    if (to_pixel)    change_reads[wind_index[SLOT_BITS-1:0]] = 1'b1;
+    if (read)        change_reads = '1;
+    if (pixel_write) change_writes[pixel_index[SLOT_BITS-1:0]] = 1'b1;
+    if (clear)       change_writes = '1;
+    if (mark_i)      line_writes[mark_index_i[SLOT_BITS-1:0]] = 1'b1;
+    if (mutations_pkg::SLB_KEEP_LINES ? scrub_i : clear) line_writes = '1;
+  end
   for (genvar i = 0; i < SLOTS; i++) begin : gen_banks
-    logic [CHANGE-1:0] unused_change;
+    logic [CHANGE-1:0] read_change, change, unused_change;
     logic              unused_line;
     plane_bank #(.ADDRESS_BITS(LINE_BITS), .WIDTH(CHANGE)) u_changes (
-      .clk_i, .a_read_i(read || (to_pixel && wind_index[SLOT_BITS-1:0] == SLOT_BITS'(i))), .a_address_i(a_line),
-      .a_word_o(read_changes[i*CHANGE+:CHANGE]), .b_read_i(1'b0),
-      .b_write_i(clear || (pixel_write && pixel_index[SLOT_BITS-1:0] == SLOT_BITS'(i))), .b_address_i(b_line),
+      .clk_i, .a_read_i(change_reads[i]), .a_address_i(a_line),
+      .a_word_o(read_change), .b_read_i(1'b0),
+      .b_write_i(change_writes[i]), .b_address_i(b_line),
       .b_word_i(clear ? '0 : pixel_word), .b_word_o(unused_change)
     );
     plane_bank #(.ADDRESS_BITS(LINE_BITS), .WIDTH(1)) u_lines (
       .clk_i, .a_read_i(read), .a_address_i(read_line), .a_word_o(read_lines[i]), .b_read_i(1'b0),
-      .b_write_i((mutations_pkg::SLB_KEEP_LINES ? scrub_i : clear) || (mark_i && mark_index_i[SLOT_BITS-1:0] == SLOT_BITS'(i))),
+      .b_write_i(line_writes[i]),
       .b_address_i(clear ? clear_line : mark_index_i[2*P-1:SLOT_BITS]), .b_word_i(!clear), .b_word_o(unused_line)
     );
+    delay_line #(.WIDTH(CHANGE), .CYCLES(READ_LATENCY - 1)) u_delay (
+      .clk_i, .data_i(read_change), .data_o(change)
+    );
+    assign changes[i] = change;
   end
   // The carry counts with the first line of its row that is read.
   logic [CHANGE-1:0] read_carry, unused_carry;
@@ -180,10 +196,20 @@ module slb_winding #(
   delay_line #(.WIDTH(SLOT_BITS), .CYCLES(READ_LATENCY)) u_slot (
     .clk_i, .data_i(wind_index[SLOT_BITS-1:0]), .data_o(slot)
   );
-  delay_line #(.WIDTH(WORD), .CYCLES(READ_LATENCY - 1)) u_delay (
-    .clk_i, .data_i({read_carry, read_lines, read_changes}), .data_o({carry_ram, lines, changes})
+  delay_line #(.WIDTH(CHANGE + SLOTS), .CYCLES(READ_LATENCY - 1)) u_delay (
+    .clk_i, .data_i({read_carry, read_lines}), .data_o({carry_ram, lines})
   );
-  assign pixel_ram = changes[slot*CHANGE+:CHANGE];
+  assign pixel_ram = changes[slot];
+  logic            word_read;
+  logic [WORD-1:0] word;
+  delay_line #(.WIDTH(1), .CYCLES(READ_LATENCY)) u_word_read (.clk_i, .data_i(read), .data_o(word_read));
+  always_comb begin
+    word = 'x;
+    if (word_read) begin
+      for (int i = 0; i < SLOTS; i++) word[i*CHANGE+:CHANGE] = changes[i];
+      word[WORD-1:SLOTS*CHANGE] = {carry_ram, lines};
+    end
+  end
 
   logic read_idle;
   assign row_begins = read_item_i[ITEM-1];
@@ -192,7 +218,7 @@ module slb_winding #(
   ) u_read (
     .clk_i, .rst_ni, .request_valid_i(read_valid_i), .request_ready_o(read_ready_o),
     .request_index_i(read_item_i[LINE_BITS-1:0]), .request_tag_i(read_item_i), .ram_free_i(!scrub_i),
-    .ram_read_o(read), .ram_index_o(read_line), .ram_entry_i({carry_ram, lines, changes}),
+    .ram_read_o(read), .ram_index_o(read_line), .ram_entry_i(word),
     .response_valid_o(word_valid_o), .response_ready_i(word_ready_i), .response_entry_o(word_o),
     .response_tag_o(word_item_o), .idle_o(read_idle)
   );
