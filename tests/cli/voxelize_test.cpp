@@ -192,8 +192,10 @@ TEST_F(VoxelizeTest, RefusesVoxelsTooSmallForVdbAndWritesNothing) {
   std::string tiny;
   std::istringstream lines(test::cube_text());
   for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
     double x = 0, y = 0, z = 0;
-    if (std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) == 3) {
+    if (words >> word >> x >> y >> z && word == "v") {
       std::ostringstream scaled;
       scaled << "v " << 1e-30 * x << " " << 1e-30 * y << " " << 1e-30 * z;
       line = scaled.str();
