@@ -27,7 +27,7 @@ namespace topology = golden::topology;
 struct Choice {
   double lift, clearance;
 };
-constexpr std::array<Choice, 4> kChoices = {{{0.7, 2}, {0.35, 1.5}, {0.2, 1}, {0.1, 0.75}}};
+constexpr std::array<Choice, 5> kChoices = {{{0.7, 2}, {0.35, 1.5}, {0.2, 1}, {0.1, 0.75}, {0.08, 0.75}}};
 
 /// Quads may cover many entries, but not more than a record holds: three voxels in 2^6 - 1 entries.
 constexpr double kCasterPitch = 3.0 / 63;

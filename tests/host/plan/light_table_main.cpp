@@ -120,7 +120,7 @@ class Methods {
       const plan::ViewVoxels seen = plan::view_voxels(view, model.voxels, roles);
       if (seen.receivers.empty()) continue;
       offset(view, seen);
-      for (const int bits : {0, 2}) topology(view, seen, bits);
+      for (const int bits : {0, 2, 4}) topology(view, seen, bits);
     }
   }
   struct Answers {

@@ -180,6 +180,35 @@ TEST(Topology, QuadsEdgeOnToTheLightAreLeftOutAndMissed) {
   EXPECT_LT(2 * without.events.at("QUADS_TESTED"), with.events.at("QUADS_TESTED"));
 }
 
+/// A wall along the light, and below it a surface that comes out of a hollow by 0.15 voxels: it lies 0.1 to
+/// 0.25 voxels behind the wall, which shades all of it. A start lifted farther than positions are rounded
+/// would come out on the lit side.
+TEST(Topology, AReliefOfATenthOfAVoxelIsShadedByTheWallAboveIt) {
+  Scene scene;
+  const Mat4 steep(0.01, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0.01, 0, 41.8, 0, 25, 1);
+  scene.surfaces.push_back(std::move(
+      *surface::LimitSurface::build(fixtures::box({22.9, 15.3, 25.3}, {42.05, 50.3, 55.3}, true), Mat4())));
+  scene.surfaces.push_back(
+      std::move(*surface::LimitSurface::build(fixtures::rectangle(0, 20, 15, 45, 0), steep)));
+  fill(scene);
+  const auto bright_ones = [&](const TopologySettings& settings) {
+    const auto plan = plan_topology(scene.voxels, scene.casting.quads, Vec3(0, 0, -1), settings).value();
+    const auto results = test::run_topology(plan, scene.voxels, kTwoSided).results;
+    std::size_t bright = 0, all = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const voxel::Voxel& voxel = scene.voxels.voxels[i];
+      if (voxel.object != 1 || voxel.z > 22 || voxel.y < 21 || voxel.y > 43) continue;
+      ++all;
+      bright += results[i].shadow ? 0U : 1U;
+    }
+    EXPECT_GE(all, 250U);
+    return bright;
+  };
+  EXPECT_EQ(bright_ones({}), 0U);
+  EXPECT_GE(bright_ones({.lift = 0.1}), 5U);
+  EXPECT_GE(bright_ones({.lift = 0.2}), 50U);
+}
+
 TEST(Topology, ThePitchGrowsUntilThePoolIsLargeEnough) {
   const Vec3 light(0.3, 0.2, -1);
   const TopologyPlan usual = plan_of(light);
