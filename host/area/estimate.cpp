@@ -129,14 +129,16 @@ class Work {
         folder_(std::move(folder)),
         read_(fmt::format("read_verilog -sv -I{}", (rtl / "common").string())) {
     for (const std::string& file : files) read_.append(" ").append((rtl / file).string());
-    read_.append("; ").append(settings_of(unit));
+    read_ += "; ";
   }
 
   Cells cells() const {
+    // Yosys gives a top module that it has to read anew, because a part's ports were not known at first, the
+    // name that its parameters make.
     yosys(fmt::format(
-        "{0}hierarchy -top {1}; proc; write_json ports.json; synth_ice40 -dsp -top {1}; tee -q -o "
-        "stat.json stat -json",
-        read_, unit_.module));
+        "{0}{2}hierarchy -top {1}; rename -top {1}; proc; write_json ports.json; synth_ice40 -dsp "
+        "-top {1}; tee -q -o stat.json stat -json",
+        read_, unit_.module, settings_of(unit_)));
     const Json all = Json::parse(sim::read_file(folder_ / "stat.json"));
     Cells cells;
     for (const auto& [kind, count] : all.at("design").at("num_cells_by_type").items()) {
@@ -150,7 +152,7 @@ class Work {
     return cells;
   }
 
-  /// Needs the ports that cells() has left.
+  /// Needs the ports that cells() has left. The parameters are the wrapper's to give.
   Clock clock(int seeds) const {
     const Json ports = Json::parse(sim::read_file(folder_ / "ports.json"));
     sim::write_file(folder_ / "wrapper.v", wrapper(unit_, ports_of(ports, unit_.module)));

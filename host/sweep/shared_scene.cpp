@@ -2,16 +2,17 @@
 // Points on one scene: those of the silhouette-line buffer over shared work, others as a run has them.
 #include "host/sweep/shared_scene.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "host/metrics/progress.hpp"
 #include "host/pipeline/engines.hpp"
+#include "host/pipeline/slb_answers.hpp"
 #include "host/pipeline/slb_point.hpp"
 #include "host/pipeline/software_technique.hpp"
 #include "host/pipeline/technique_job.hpp"
 #include "host/report/metrics_json.hpp"
-#include "host/sweep/confirm.hpp"
 
 namespace gnomon::sweep {
 namespace {
@@ -122,11 +123,26 @@ Result<Measurement> SharedScene::by_run(const pipeline::RunRequest& request) {
   if (!record->compare.partial.empty()) throw metrics::Cancelled();
   if (record->compare.failed()) return fail("golden and rtl differ: " + report::verdict(record->compare));
   Measurement measured = figures_of(*record);
-  // A software technique counts its own; ray casting has none.
-  const Cycles model = record->software ? named(record->cycles) : record->predicted_cycles;
+  const Cycles model = record->software ? cycles_of_work(*record) : record->predicted_cycles;
   if (!model.empty()) add(measured, cycle_figures("model", model));
   if (record->compare.compared) add(measured, cycle_figures("rtl", named(record->cycles)));
   return measured;
+}
+
+/// A software technique counts its own cycles; ray casting has none. As with the silhouette-line buffer, work
+/// is one question a voxel: those about samples are asked for the error's sake.
+Cycles SharedScene::cycles_of_work(const report::RunRecord& record) const {
+  Cycles cycles = named(record.cycles);
+  const auto asking = cycles.find("cycles.QUERY.BUSY");
+  if (asking == cycles.end() || record.software->queries == 0) return cycles;
+  std::uint64_t questions = 0;
+  for (const pipeline::SceneLight& light : lit_.lights) {
+    const auto voxels = pipeline::voxel_receivers(lit_.surfaces, lit_.voxels, lit_.roles, light.views.front(),
+                                                  light.seen.front());
+    questions += static_cast<std::uint64_t>(std::ranges::count_if(voxels, &Receiver::faces_light));
+  }
+  asking->second = asking->second / record.software->queries * questions;  // the same for each
+  return cycles;
 }
 
 Result<Measurement> SharedScene::confirm(const Task& task) {

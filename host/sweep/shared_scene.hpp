@@ -11,6 +11,7 @@
 #include "host/base/result.hpp"
 #include "host/pipeline/lit_scene.hpp"
 #include "host/pipeline/slb_shared.hpp"
+#include "host/sweep/confirm.hpp"
 #include "host/sweep/measurement.hpp"
 #include "host/sweep/task.hpp"
 
@@ -46,6 +47,7 @@ class SharedScene {
   Result<pipeline::SlbShared*> slb();
   Result<Measurement> by_shared_work(const pipeline::RunRequest& request);
   Result<Measurement> by_run(const pipeline::RunRequest& request);
+  Cycles cycles_of_work(const report::RunRecord& record) const;
   Result<report::RunRecord> run(const pipeline::RunRequest& request);
 
   const TaskOptions& options_;

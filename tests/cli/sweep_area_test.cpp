@@ -30,7 +30,11 @@ TEST_F(SweepTest, AreaIsAFurtherAxisAndIsThatOfTheAreaCommand) {
   EXPECT_GT(stored.at("area.luts"), 500);
   EXPECT_GT(stored.at("area.dsps"), 0);
   EXPECT_FALSE(stored.contains("area.clock_mhz")) << "nothing was placed";
-  EXPECT_FALSE(figures_of("a", {"technique=plain-map", "offset=0.5"}).contains("area.luts"));
+  const std::map<std::string, double> map = figures_of("a", {"technique=plain-map", "offset=0.5"});
+  EXPECT_FALSE(map.contains("area.luts"));
+  EXPECT_GT(map.at("model.cycles.QUERY"), 500);
+  EXPECT_LT(2 * map.at("model.cycles.QUERY"), map.at("software.queries"))
+      << "samples are asked for no picture";
 
   const test::Outcome alone =
       test::run_gnomon({"area", "--seeds", "0", "--json", "--set", "technique=voxel-offset", "--set",

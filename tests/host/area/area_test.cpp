@@ -75,6 +75,23 @@ TEST_F(AreaTest, CountsTheCellsOfAnAdder) {
   EXPECT_EQ(twenty->cells.flip_flops, 20u);
 }
 
+/// A part with an unsized literal at a port makes Yosys read the whole anew and forget its name.
+TEST_F(AreaTest, FindsAModuleThatIsReadTwice) {
+  write("tiny/tiny.sv", R"(module tiny #(parameter int unsigned WIDTH = 4) (
+  input logic clk_i, input logic [WIDTH-1:0] a_i, output logic [WIDTH-1:0] sum_o
+);
+  logic [WIDTH-1:0] sum;
+  adder #(.WIDTH(WIDTH)) u_adder (.a_i, .b_i('1), .sum_o(sum));
+  always_ff @(posedge clk_i) sum_o <= sum;
+endmodule
+)");
+  Estimator estimator(tools_);
+  const auto eight = estimator.estimate(tiny(8), 1);
+  ASSERT_TRUE(eight) << eight.error().message;
+  EXPECT_EQ(eight->cells.flip_flops, 8u);
+  EXPECT_TRUE(eight->clock && eight->clock->fits());
+}
+
 TEST_F(AreaTest, PlacesItWithSeveralSeedsAndKeepsWhatItFound) {
   Estimator estimator(tools_);
   const auto placed = estimator.estimate(tiny(8), 2);
