@@ -125,6 +125,12 @@ bool is_published(const Row& row) {
          parameter_text(row, "technique").starts_with("slb");
 }
 
+bool marks_published(const std::vector<Row>& rows) {
+  return std::ranges::any_of(rows, [](const Row& row) {
+    return parameter_text(row, "technique").starts_with("slb") && !is_published(row);
+  });
+}
+
 std::vector<bool> on_front(const std::vector<Row>& rows) {
   std::map<std::string, std::vector<std::size_t>> scenes;
   for (std::size_t i = 0; i < rows.size(); ++i) scenes[rows[i].scene].push_back(i);

@@ -34,6 +34,9 @@ std::string parameter_text(const Row& row, const std::string& key);
 /// The published encodings: technique slb with 4 or 7 bits for both fraction and slope.
 bool is_published(const Row& row);
 
+/// Whether the published encodings are to be marked among these rows: not where there are no others.
+bool marks_published(const std::vector<Row>& rows);
+
 /// For each row, whether it is on its scene's front of border displacement (voxels), memory bits and, where
 /// any of the scene's rows has one, area.
 std::vector<bool> on_front(const std::vector<Row>& rows);

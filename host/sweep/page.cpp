@@ -31,8 +31,9 @@ std::vector<Figure> present_figures(const std::vector<Row>& rows) {
   return present;
 }
 
-Json point_of(const Row& row, const std::vector<Varied>& varied, const std::vector<Figure>& figures) {
-  Json point = {{"scene", row.scene}, {"flags", row.flags}, {"mark", is_published(row)}};
+Json point_of(const Row& row, const std::vector<Varied>& varied, const std::vector<Figure>& figures,
+              bool marks) {
+  Json point = {{"scene", row.scene}, {"flags", row.flags}, {"mark", marks && is_published(row)}};
   point["configuration"] = Json::object();
   for (const Varied& parameter : varied)
     point["configuration"][parameter.key] = parameter_text(row, parameter.key);
@@ -70,9 +71,10 @@ Json data_of(const std::vector<Row>& done) {
     data["figures"].push_back({{"name", figure.name}, {"label", figure.label}});
   for (const Varied& parameter : varied)
     data["axes"].push_back({{"key", parameter.key}, {"values", parameter.values}});
+  const bool marks = marks_published(done);
   std::vector<std::string> scenes;
   for (const Row& row : done) {
-    data["points"].push_back(point_of(row, varied, figures));
+    data["points"].push_back(point_of(row, varied, figures, marks));
     if (std::ranges::find(scenes, row.scene) == scenes.end()) scenes.push_back(row.scene);
   }
   data["scenes"] = scenes;

@@ -85,7 +85,8 @@ class ScenePlots {
 
   static void name_series(Chart& chart, const Varied* by) {
     if (by == nullptr) return;
-    for (std::size_t i = 0; i < by->values.size(); ++i) chart.legend(i, by->key + " " + by->values[i]);
+    for (std::size_t i = 0; i < by->values.size(); ++i)
+      chart.legend(i, (by->key == "technique" ? "" : by->key + " ") + by->values[i]);
   }
 
   std::string scatter(const std::string& cost) const {
@@ -104,17 +105,18 @@ class ScenePlots {
     Chart chart(Scale(xs), Scale(ys), label_of(cost), label_of(kError));
     const std::vector<bool> front = front_of(points);
     const Varied* by = colours("");
+    const bool marks = marks_published(rows_);
     std::vector<std::pair<double, double>> steps;
     for (std::size_t i = 0; i < shown.size(); ++i) {
       chart.point(points[i].first, points[i].second, series(by, *shown[i]), !front[i],
-                  is_published(*shown[i]));
+                  marks && is_published(*shown[i]));
       if (front[i]) steps.push_back(points[i]);
     }
     std::ranges::sort(steps);
     chart.steps(steps);
     name_series(chart, by);
     chart.note("line: Pareto front");
-    if (std::ranges::any_of(shown, [](const Row* row) { return is_published(*row); }))
+    if (marks && std::ranges::any_of(shown, [](const Row* row) { return is_published(*row); }))
       chart.note("ringed: published");
     return chart.svg(scene_ + ": error against " + label_of(cost));
   }

@@ -81,6 +81,16 @@ TEST(Plots, DrawEveryPointAndRingThePublished) {
   for (const Plot& plot : plots) EXPECT_THAT(plot.svg, Not(HasSubstr("nan")));
 }
 
+TEST(Plots, RingNothingWhereAllIsPublished) {
+  std::vector<Row> published{point(4, 4, 0.08), point(7, 7, 0.02)};
+  EXPECT_THAT(plots_of(published)[0].svg, Not(HasSubstr("ringed")));
+  for (Row& row : published) row.configuration = R"({"technique":"raycast"})";
+  published.push_back(point(4, 4, 0.08));
+  const std::string svg = plots_of(published)[0].svg;
+  EXPECT_THAT(svg, Not(HasSubstr("r=\"9\"")));
+  EXPECT_THAT(svg, HasSubstr(">raycast<")) << "a technique needs no key";
+}
+
 TEST(Plots, OfNothingAreNone) {
   EXPECT_THAT(plots_of({}), SizeIs(0));
   std::vector<Row> failed = rows();
