@@ -92,6 +92,15 @@ class SweepPage(unittest.TestCase):
                       " s.dispatchEvent(new Event('change')); })()")
         self.assertIn("mislabelled voxels", self.page.run("document.querySelector('#table thead').textContent"))
 
+    def test_the_front_takes_a_third_figure(self):
+        points = "document.querySelectorAll('#table tbody tr').length"
+        before = self.page.run(points)
+        self.assertEqual(self.page.run("document.getElementById('z').value"), "")
+        self.page.run("(() => { const s = document.getElementById('z'); s.value = 'errors.fixed.all.share';"
+                      " s.dispatchEvent(new Event('change')); })()")
+        self.assertIn("mislabelled voxels", self.page.run("document.querySelector('#table thead').textContent"))
+        self.assertGreaterEqual(self.page.run(points), before)
+
 
 if __name__ == "__main__":
     GNOMON = sys.argv.pop(1)
