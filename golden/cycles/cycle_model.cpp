@@ -75,11 +75,21 @@ CycleModel::CycleModel(const HardwareConfig& config, const HardwareTiming& timin
       late_(config.en_perspective ? kPerspectiveStages : 0) {
   if (config.en_slb) outline_.emplace(config.slb_config(), timing);
   if (config.en_frame_buffer) look_up_.emplace(timing);
+  if (timing.system) ports_.emplace(config, *timing.system);
+  if (timing.system && timing.system->cache_log2 != 0)
+    ports_->caches().emplace_back(timing.system->cache_log2, plane_lines_log2(), 0);
   reset_scrub();
+  if (ports_) ports_->commands().expect(timing.system->job_words);
 }
 
 int CycleModel::plane_lines_log2() const {
   return 2 * config_.plane_log2 - kLineLog2;
+}
+
+/// One bit a line of a plane behind a cache, in words of 32, 16 of them scrubbed in a cycle.
+int CycleModel::touched_lines_log2() const {
+  const int words_log2 = plane_lines_log2() > 10 ? plane_lines_log2() - 5 : 5;
+  return words_log2 - kLineLog2;
 }
 
 int CycleModel::slb_lines_log2() const {
@@ -94,7 +104,8 @@ int CycleModel::frame_lines_log2() const {
 /// All memories at once. The decoder sees the end of the plane's scrubbing as it happens, that of the others
 /// a cycle later.
 void CycleModel::reset_scrub() {
-  Cycle scrubbed = Cycle{1} << plane_lines_log2();
+  Cycle scrubbed =
+      cache() == nullptr ? Cycle{1} << plane_lines_log2() : (Cycle{1} << touched_lines_log2()) + 1;
   const auto other = [&](bool there, int lines_log2) {
     if (there) scrubbed = std::max(scrubbed, (Cycle{1} << lines_log2) + 1);
   };
@@ -104,33 +115,19 @@ void CycleModel::reset_scrub() {
   spend(Pass::Clear, scrubbed);
 }
 
-void CycleModel::spend(Pass pass, Cycle busy, Cycle memory_wait) {
-  table_.at(pass, Cause::Busy) += busy;
-  table_.at(pass, Cause::MemoryWait) += memory_wait;
-  now_ += busy + memory_wait;
-}
-
-void CycleModel::end_run(bool more) {
-  if (put_ || walk_) return end_lists(more);
-  if (!run_.open()) return;
-  if (outline_ && is(command_, slb::SlbOp::Loop)) run_.drained_from(outline_->drained());
-  now_ = run_.end(more, table_);
-}
-
-/// Cycles [now, now + count) take something.
-Cycle CycleModel::take(std::size_t count) {
-  run_.take(now_, count);
-  return std::exchange(now_, now_ + count);
-}
-
 void CycleModel::header(const Header& header, bool in_error, const slb::FillSweep& fill) {
   const auto pass = in_error ? std::nullopt : streaming_pass(header);
   if (!pass || header.op != command_.op) end_run(true);
   command_ = header;
   items_left_ = header.count;
-  if (in_error) return spend(Pass::Control, 2);
   if (is(header, topology::TopologyOp::PutQuads) || is(header, topology::TopologyOp::ResolveTopology))
-    return begin_lists();
+    if (!in_error) return begin_lists();
+  if (ports_ && pass && (*pass == Pass::Query || kind_of(header.op) == Kind::Core)) return begin_items(*pass);
+  if (ports_ && !(pass && run_.open())) await_word(true);
+  if (in_error) {
+    spend(Pass::Control, 1);
+    return give(Pass::Control);
+  }
   if (pass) {
     if (!run_.open()) run_.begin(*pass, now_);
     run_.drained_from(take(1) + 1);
@@ -150,9 +147,21 @@ void CycleModel::header(const Header& header, bool in_error, const slb::FillSwee
 }
 
 void CycleModel::core_command() {
-  if (is(command_, Op::ClearPlane)) return spend(Pass::Clear, 2 + share(plane_lines_log2()));
-  if (is(command_, Op::ReadPlane)) return read(decode_plane_range(command_.arg).count, 0, 0);
-  spend(Pass::Control, is(command_, Op::Fence) ? 2 : 1);
+  if (is(command_, Op::ClearPlane)) return clear_plane();
+  if (is(command_, Op::ReadPlane))
+    return ports_ ? read_plane() : read(decode_plane_range(command_.arg).count, 0, 0);
+  spend(Pass::Control, 1);
+  if (is(command_, Op::Fence)) give(Pass::Control);
+}
+
+/// Behind a cache lines that are on their way out hold it up; nothing is forgotten before they have arrived.
+void CycleModel::clear_plane() {
+  CacheClock* const plane = cache();
+  if (plane == nullptr) return spend(Pass::Clear, 2 + share(plane_lines_log2()));
+  spend(Pass::Clear, 1);
+  while (!plane->can_be_cleared(now_)) spend(Pass::Clear, 0, 1);
+  plane->clear();
+  spend(Pass::Clear, 2 + share(touched_lines_log2()));
 }
 
 void CycleModel::slb_command(const slb::FillSweep& fill) {
@@ -185,44 +194,16 @@ void CycleModel::clear_unit(int lines_log2) {
 void CycleModel::read(Cycle entries, Cycle words, Cycle ends) {
   const Cycle until_first = latency_ + 1;
   const Cycle asking = std::min(entries, until_first);
-  spend(Pass::Read, 1 + asking + entries * (1 + words), until_first - asking + ends);
+  if (!ports_) return spend(Pass::Read, 1 + asking + entries * (1 + words), until_first - asking + ends);
+  spend(Pass::Read, 1 + asking, until_first - asking + ends);
+  for (Cycle word = 0; word < entries * (1 + words); ++word) give(Pass::Read);
 }
 
 void CycleModel::close_if_complete() {
   if (items_left_ != 0 || !is(command_, slb::SlbOp::Loop) || (command_.flags & slb::kLoopMore) != 0) return;
   const Cycle taken = outline_->close(now_, run_);
   run_.take(taken, 1);
-  now_ = taken + 1;
-}
-
-void CycleModel::begin_lists() {
-  if (!put_ && !walk_) {
-    if (is(command_, topology::TopologyOp::PutQuads))
-      put_.emplace(config_, timing_);
-    else
-      walk_.emplace(config_, timing_);
-  }
-  list_cycle(false, true, true);
-}
-
-/// One cycle of a run of PUT_QUADS or RESOLVE_TOPOLOGY; returns whether the item is taken.
-bool CycleModel::list_cycle(bool item, bool header, bool more) {
-  Beat beat = Beat::Nothing;
-  const bool taken = put_ ? put_->cycle(item, beat) : walk_->cycle(item, beat);
-  if (header) beat = Beat::Busy;
-  const Cause cause = beat == Beat::Busy         ? Cause::Busy
-                      : beat == Beat::MemoryWait ? Cause::MemoryWait
-                      : more                     ? Cause::Hazard
-                                                 : Cause::InputStarved;
-  ++table_.at(put_ ? Pass::Project : Pass::Resolve, cause);
-  ++now_;
-  return taken;
-}
-
-void CycleModel::end_lists(bool more) {
-  while (!(put_ ? put_->idle() : walk_->idle())) list_cycle(false, false, more);
-  put_.reset();
-  walk_.reset();
+  elapse(taken + 1 - now_);
 }
 
 void CycleModel::items(std::size_t count, const topology::ListWork& work) {
@@ -230,7 +211,8 @@ void CycleModel::items(std::size_t count, const topology::ListWork& work) {
   if (put_) {
     for (const std::uint64_t entries : work.quads) put_->expect(entries);
   } else {
-    walk_->expect(work, config_.en_frame_buffer && (command_.flags & frame::kKeep) != 0);
+    walk_->expect(work, config_.en_frame_buffer && (command_.flags & frame::kKeep) != 0,
+                  config_.en_frame_buffer && (command_.flags & frame::kQuiet) != 0);
   }
   for (std::size_t i = 0; i < count; ++i)
     while (!list_cycle(true, false, true)) continue;
@@ -239,11 +221,9 @@ void CycleModel::items(std::size_t count, const topology::ListWork& work) {
 void CycleModel::items(std::size_t count) {
   if (count == 0) return;
   items_left_ -= static_cast<std::uint32_t>(count);
-  if (!run_.open()) return spend(Pass::Control, count);
-  if (is(command_, frame::FrameOp::LookupFrame)) {
-    now_ = look_up_->items(count, items_left_ == 0, (command_.flags & frame::kBrick) != 0, now_, run_);
-    return;
-  }
+  if (items_) return take_items(std::vector<Item>(count));
+  if (!run_.open()) return control_items(count);
+  if (is(command_, frame::FrameOp::LookupFrame)) return look_up(count);
   const Cycle last = take(count) + count - 1;
   if (is(command_, slb::SlbOp::Query)) return run_.drained_from(last + kQueryStages + latency_);
   const bool kept = config_.en_frame_buffer && (command_.flags & frame::kKeep) != 0;
@@ -253,6 +233,8 @@ void CycleModel::items(std::size_t count) {
 void CycleModel::items(const ItemWork& work) {
   if (work.items == 0) return;
   items_left_ -= static_cast<std::uint32_t>(work.items);
+  if (items_) return take_items(work.each);
+  if (ports_) return covers(work);
   const bool projects = is(command_, Op::ProjectVoxels);
   const Cycle stages = projects ? kProjectStages + late_ : kCoverStages;
   const Cycle updated = stages + (projects ? 0 : kUpdateStages) + latency_;
@@ -267,9 +249,11 @@ void CycleModel::vertices(std::span<const Word> words) {
   for (const Word word : words) {
     slb::Vertex vertex = slb::decode_vertex(word, config);
     if (flat_) vertex.depth = 0;  // no quotient is wanted for it
+    if (ports_) await_word(false);
     const Cycle taken = outline_->vertex(vertex, now_, run_);
     run_.take(taken, 1);
-    now_ = taken + 1;
+    elapse(taken - now_);
+    take_word();
   }
   items_left_ -= static_cast<std::uint32_t>(words.size());
   close_if_complete();

@@ -8,10 +8,13 @@
 #include <gnomon/golden/slb/model.hpp>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "items.hpp"
 #include "lists.hpp"
 #include "look_up.hpp"
 #include "outline.hpp"
+#include "ports.hpp"
 #include "run.hpp"
 
 namespace gnomon::golden::cycles {
@@ -21,18 +24,23 @@ struct ItemWork {
   std::size_t items = 0;
   std::optional<std::size_t> last_updating = {};  ///< goes to the memory
   std::optional<std::size_t> last_writing = {};   ///< ... and changes its entry
+  std::vector<Item> each = {};                    ///< all of them, where the model asks for it
 };
 
 class CycleModel {
  public:
   CycleModel(const HardwareConfig& config, const HardwareTiming& timing);
 
+  /// So many more words are in memory; before they are told one by one.
+  void submitted(std::size_t words);
+  /// Whether it wants to know of each item of PROJECT_VOXELS and RESOLVE_VOXELS.
+  bool asks_for_items() const { return ports_.has_value(); }
   /// A header, before its items. `fill`: what the last FILL swept, the command itself if it is one.
   void header(const Header& header, bool in_error, const slb::FillSweep& fill);
   /// Items that change nothing that cycles depend on: of NOP, SET_REGISTERS, RESOLVE_VOXELS, QUERY,
   /// LOOKUP_FRAME and commands in error.
   void items(std::size_t count);
-  /// Items of PROJECT_VOXELS and COVER.
+  /// Items of PROJECT_VOXELS and COVER; of RESOLVE_VOXELS where it asks for them.
   void items(const ItemWork& work);
   /// Items of PUT_QUADS and RESOLVE_TOPOLOGY, and the work that golden had with them.
   void items(std::size_t count, const topology::ListWork& work);
@@ -45,19 +53,34 @@ class CycleModel {
   int plane_lines_log2() const;
   int slb_lines_log2() const;
   int frame_lines_log2() const;
+  int touched_lines_log2() const;
+  CacheClock* cache();  ///< of the plane, if it has one
   void reset_scrub();
+  void await_word(bool header);
+  void give(Pass pass);
+  void elapse(Cycle count);
   void spend(Pass pass, Cycle busy, Cycle memory_wait = 0);
   void end_run(bool more);
   Cycle take(std::size_t count);
+  Cycle take_word();
+  void clear_plane();
   void core_command();
   void slb_command(const slb::FillSweep& fill);
   void fill(const slb::FillSweep& sweep);
   void clear_unit(int lines_log2);
+  void read_plane();
   void read(Cycle entries, Cycle words, Cycle ends);
   void close_if_complete();
   void begin_lists();
   bool list_cycle(bool item, bool header, bool more);
   void end_lists(bool more);
+  void begin_items(Pass pass);
+  bool item_cycle(bool item, bool header);
+  void take_items(std::span<const Item> items);
+  void end_items();
+  void covers(const ItemWork& work);
+  void control_items(std::size_t count);
+  void look_up(std::size_t count);
 
   HardwareConfig config_;
   HardwareTiming timing_;
@@ -74,6 +97,11 @@ class CycleModel {
   std::optional<LookUp> look_up_;   ///< with EN_FRAME_BUFFER
   std::optional<PutClock> put_;     ///< while a run of PUT_QUADS is open
   std::optional<WalkClock> walk_;   ///< ... of RESOLVE_TOPOLOGY
+  std::optional<Ports> ports_;      ///< with HardwareTiming::system
+  std::optional<ItemClock> items_;  ///< ... while a run of PROJECT_VOXELS, RESOLVE_VOXELS or QUERY is open
+  Pass items_pass_ = Pass::Control;
+  std::uint64_t submitted_ = 0;  ///< words
+  bool takes_header_ = false;    ///< the next cycle takes a header
 };
 
 }  // namespace gnomon::golden::cycles

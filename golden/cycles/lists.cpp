@@ -71,20 +71,23 @@ WalkClock::WalkClock(const HardwareConfig& config, const HardwareTiming& timing)
       walks_(std::bit_ceil(2 * static_cast<std::size_t>(timing.memory_latency) + 48)),
       front_(front_stages(config, kMovedStages)) {}
 
-void WalkClock::expect(const topology::ListWork& work, bool kept) {
+void WalkClock::expect(const topology::ListWork& work, bool kept, bool quiet) {
   std::size_t first = tested_.size();
   for (const std::uint32_t visited : work.voxels) {
-    voxels_.push_back({visited, first, kNever, kept});
+    voxels_.push_back({visited, first, kNever, kept, quiet});
     first += visited;
   }
   tested_.insert(tested_.end(), work.tested.begin(), work.tested.end());
 }
 
 /// The oldest voxel's result leaves, if its walk is done.
-void WalkClock::give_result() {
+void WalkClock::give_result(bool room) {
+  gave_ = false;
   if (order_.empty()) return;
   const Voxel& voxel = voxels_[order_.front()];
   if (voxel.visited != 0 && voxel.done > now_) return;
+  if (!voxel.quiet && !room) return;
+  gave_ = !voxel.quiet;
   if (voxel.visited != 0) --walking_;
   if (voxel.kept) kept_until_ = now_ + latency_ + kWritten;
   order_.pop_front();
@@ -160,7 +163,7 @@ void WalkClock::ask_node(Pick pick, std::uint32_t first) {
   nodes_.push_back(token);
 }
 
-bool WalkClock::cycle(bool voxel, Beat& beat) {
+bool WalkClock::cycle(bool voxel, bool room, Beat& beat) {
   // What the cycles before left.
   const bool order_room = order_.size() < kOrderPerWalk * walks_;
   const bool walk_free = walking_ < walks_;
@@ -176,7 +179,7 @@ bool WalkClock::cycle(bool voxel, Beat& beat) {
   const bool moves = !reads || read;
   const bool ends_full = ends_.size() == kEnds;
 
-  give_result();
+  give_result(room);
   if (asks && asked) ask_node(pick, head ? heads_.front().voxel : 0);
   hold_ = asks && !asked;
   pick_ = pick;

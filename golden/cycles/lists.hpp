@@ -61,9 +61,11 @@ class WalkClock {
   WalkClock(const HardwareConfig& config, const HardwareTiming& timing);
 
   /// The voxels of the next items, as golden saw them; `kept`: their states go to the frame buffer.
-  void expect(const topology::ListWork& work, bool kept);
-  /// One cycle; `voxel`: one is offered. Returns whether it is taken.
-  bool cycle(bool voxel, Beat& beat);
+  void expect(const topology::ListWork& work, bool kept, bool quiet);
+  /// One cycle; `voxel`: one is offered, `room`: a result would be taken. Returns whether the voxel is taken.
+  bool cycle(bool voxel, bool room, Beat& beat);
+  /// The last cycle has given a result.
+  bool gave() const { return gave_; }
   bool idle() const;
 
  private:
@@ -72,7 +74,7 @@ class WalkClock {
     std::uint32_t visited = 0;
     std::size_t first = 0;  ///< its nodes in tested_
     Cycle done = kNever;    ///< the result of its walk is there from then on
-    bool kept = false;
+    bool kept = false, quiet = false;
   };
   /// A walk on its way round: at node `node` of its voxel.
   struct Token {
@@ -83,7 +85,7 @@ class WalkClock {
 
   bool tested(const Token& token) const { return tested_[voxels_[token.voxel].first + token.node] != 0; }
   bool at_last(const Token& token) const { return token.node + 1 == voxels_[token.voxel].visited; }
-  void give_result();
+  void give_result(bool room);
   void end_walks();
   bool leave_seen(bool ends_full);
   bool see_node(bool seen_leaves);
@@ -105,7 +107,7 @@ class WalkClock {
   std::deque<Token> ends_;  ///< told by a node without a test
   std::optional<Token> seen_, spare_;
   Pick pick_ = Pick::New;
-  bool hold_ = false;
+  bool hold_ = false, gave_ = false;
 };
 
 }  // namespace gnomon::golden::cycles

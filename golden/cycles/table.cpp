@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of cycles and what it is asked for.
+#include <bit>
 #include <gnomon/golden/cycles.hpp>
 #include <numeric>
 
@@ -11,6 +12,7 @@ constexpr std::array<const char*, kPasses> kPassNames{"IDLE", "CONTROL", "CLEAR"
 constexpr std::array<const char*, kCauses> kCauseNames{"BUSY",        "INPUT_STARVED", "OUTPUT_BLOCKED",
                                                        "MEMORY_WAIT", "HAZARD",        "IDLE"};
 constexpr int kMostLatency = 64, kMostDividers = 3;
+constexpr int kLeastCacheLog2 = 12, kMostCacheLog2 = 16, kLeastAxiBits = 64, kMostAxiBits = 512;
 
 }  // namespace
 
@@ -21,6 +23,21 @@ std::optional<std::string> HardwareTiming::check() const {
   if (slb_dividers < 1 || slb_dividers > kMostDividers)
     return "SLB_DIVIDERS = " + std::to_string(slb_dividers) + " is not in 1.." +
            std::to_string(kMostDividers);
+  return system ? system->check() : std::nullopt;
+}
+
+bool predictable(const HardwareConfig& config, const HardwareTiming& timing) {
+  const bool cached = timing.system && timing.system->cache_log2 != 0;
+  return !cached || (!config.en_slb && !config.en_vpu_topology);
+}
+
+std::optional<std::string> SystemTiming::check() const {
+  if (cache_log2 != 0 && (cache_log2 < kLeastCacheLog2 || cache_log2 > kMostCacheLog2))
+    return "CACHE_LOG2 = " + std::to_string(cache_log2) + " is neither 0 nor in 12..16";
+  if (axi_data_bits < kLeastAxiBits || axi_data_bits > kMostAxiBits ||
+      !std::has_single_bit(static_cast<unsigned>(axi_data_bits)))
+    return "AXI_DATA_BITS = " + std::to_string(axi_data_bits) + " is none of 64, 128, 256, 512";
+  if (banks == 0 || row_bytes == 0 || bytes_per_cycle == 0) return "DRAM without banks, rows or data bus";
   return std::nullopt;
 }
 

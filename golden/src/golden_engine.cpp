@@ -8,6 +8,7 @@
 
 #include "engine_state.hpp"
 #include "resolve.hpp"
+#include "told_items.hpp"
 
 namespace gnomon::golden {
 namespace {
@@ -17,8 +18,10 @@ HardwareConfig checked(const HardwareConfig& config) {
   return config;
 }
 
-HardwareTiming checked(const HardwareTiming& timing) {
+HardwareTiming checked(const HardwareConfig& config, const HardwareTiming& timing) {
   if (const auto error = timing.check()) throw std::invalid_argument(*error);
+  if (!predictable(config, timing))
+    throw std::invalid_argument("lists and lines behind caches are not predicted");
   return timing;
 }
 
@@ -52,7 +55,6 @@ class GoldenEngine final : public Engine {
   void project(std::span<const Word> items);
   void resolve(std::span<const Word> items, bool two_sided);
 
-  void cover(std::span<const Word> items);
   void tell_items(std::span<const Word> items);
   void tell_lists(std::size_t items);
 
@@ -62,6 +64,7 @@ class GoldenEngine final : public Engine {
 };
 
 void GoldenEngine::submit(std::span<const Word> words) {
+  if (state_.clock) state_.clock->model.submitted(words.size());
   while (!words.empty()) {
     if (state_.between_commands()) {
       take_header(words.front());
@@ -124,7 +127,8 @@ void GoldenEngine::take_items(std::span<const Word> items) {
   if (state_.clock) tell_items(items);
   if (state_.ignore_items) return;
   const Header& header = state_.command;
-  if (state_.clock && header.op == static_cast<std::uint8_t>(slb::SlbOp::Cover)) return cover(items);
+  if (state_.clock && header.op == static_cast<std::uint8_t>(slb::SlbOp::Cover))
+    return state_.clock->model.items(take_covers(*state_.slb, state_.clock->fill, items));
   if (slb::is_slb_op(header.op)) return give(state_.slb->take(items));
   if (topology::is_topology_op(header.op)) {
     const std::vector<Word> results = state_.topology->take(items);
@@ -156,28 +160,15 @@ void GoldenEngine::tell_items(std::span<const Word> items) {
   if (op == static_cast<std::uint8_t>(slb::SlbOp::Loop)) return clock.vertices(items);
   if (op == static_cast<std::uint8_t>(slb::SlbOp::Cover)) return;
   if (op == static_cast<std::uint8_t>(Op::ProjectVoxels) || topology::is_topology_op(op)) return;
+  if (op == static_cast<std::uint8_t>(Op::ResolveVoxels) && clock.asks_for_items())
+    return clock.items(
+        {.items = items.size(), .each = resolved_items(state_.vpu, config_, items, state_.command.flags)});
   clock.items(items.size());
 }
 
 void GoldenEngine::tell_lists(std::size_t items) {
   state_.clock->model.items(items, state_.clock->lists);
   state_.clock->lists = {};
-}
-
-/// Item by item, to see which of them go to the memory, and which change it.
-void GoldenEngine::cover(std::span<const Word> items) {
-  const slb::FillSweep& swept = state_.clock->fill;
-  const slb::SlbModel& model = state_.slb->model();
-  cycles::ItemWork work{.items = items.size()};
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const slb::CoverSample sample = slb::decode_cover(items[i], model.config());
-    const bool column_on = sample.column >= 0 && sample.column < model.config().side();
-    if (column_on && sample.row >= swept.first_row && sample.row <= swept.last_row) work.last_updating = i;
-    const std::uint64_t used = model.counters().covers_used;
-    state_.slb->take(items.subspan(i, 1));
-    if (model.counters().covers_used != used) work.last_writing = i;
-  }
-  state_.clock->model.items(work);
 }
 
 void GoldenEngine::begin_slb(const Header& header) {
@@ -239,6 +230,7 @@ void GoldenEngine::set_registers(std::span<const Word> values) {
 void GoldenEngine::project(std::span<const Word> items) {
   std::uint64_t off_plane = 0, saturated = 0, writes = 0;
   cycles::ItemWork work{.items = items.size()};
+  if (state_.clock && state_.clock->model.asks_for_items()) work.each.resize(items.size());
   const auto keep = [&](const PlanePoint& point, std::size_t number) {
     if (!point.on_plane) {
       ++off_plane;
@@ -246,7 +238,10 @@ void GoldenEngine::project(std::span<const Word> items) {
     }
     work.last_updating = number;
     saturated += point.saturated;
-    if (!state_.plane.keep_nearest(state_.vpu.index(point), point.depth)) return;
+    const bool nearer = state_.plane.keep_nearest(state_.vpu.index(point), point.depth);
+    if (!work.each.empty())
+      work.each[number] = {.line = line_of(point, config_.plane_log2), .updates = true, .writes = nearer};
+    if (!nearer) return;
     work.last_writing = number;
     ++writes;
   };
@@ -329,12 +324,14 @@ std::unique_ptr<Engine> make_golden_engine(const HardwareConfig& config) {
 }
 
 std::unique_ptr<Engine> make_timed_golden_engine(const HardwareConfig& config, const HardwareTiming& timing) {
-  return std::make_unique<GoldenEngine>(config, checked(timing));
+  return std::make_unique<GoldenEngine>(config, checked(config, timing));
 }
 
 CycleTable predict_cycles(const HardwareConfig& config, const HardwareTiming& timing,
                           std::span<const Word> words) {
-  GoldenEngine engine(config, checked(timing));
+  HardwareTiming job = checked(config, timing);
+  if (job.system) job.system->job_words = words.size();
+  GoldenEngine engine(config, job);
   engine.submit(words);
   return engine.predicted();
 }

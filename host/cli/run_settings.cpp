@@ -45,6 +45,7 @@ pipeline::RunSettings run_settings(const config::Settings& settings) {
   run.ray_sag = settings.number("ray_sag");
   run.frame_buffer = settings.is_on("frame_buffer");
   run.system = system_settings(settings);
+  run.memory_given = gives_memory(settings);
   run.clock_mhz = settings.number("clock_mhz");
   run.image_width = static_cast<int>(settings.integer("image_width"));
   run.image_height = static_cast<int>(settings.integer("image_height"));

@@ -2,7 +2,10 @@
 // The parameters of the simulated system.
 #include "host/cli/system_settings.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <string_view>
 
 namespace gnomon::cli {
 
@@ -37,6 +40,14 @@ sim::system::SystemOptions system_settings(const config::Settings& settings) {
   system.bus_latency = integer("bus_latency");
   system.quantum = integer("quantum");
   return options;
+}
+
+bool gives_memory(const config::Settings& settings) {
+  constexpr std::array<std::string_view, 10> kKeys{
+      "cache_kib",      "axi_bits", "memory_latency", "bus_latency", "dram_banks",
+      "dram_row_bytes", "dram_rcd", "dram_rp",        "dram_cas",    "dram_width"};
+  return std::ranges::any_of(kKeys,
+                             [&](std::string_view key) { return settings.entry(key).origin != "default"; });
 }
 
 }  // namespace gnomon::cli

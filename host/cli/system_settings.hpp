@@ -9,5 +9,7 @@ namespace gnomon::cli {
 
 /// All but `rtl`.
 sim::system::SystemOptions system_settings(const config::Settings& settings);
+/// Somebody has set a parameter of the bus, the caches or the DRAM.
+bool gives_memory(const config::Settings& settings);
 
 }  // namespace gnomon::cli

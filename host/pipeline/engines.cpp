@@ -3,9 +3,12 @@
 #include "host/pipeline/engines.hpp"
 
 #include <algorithm>
+#include <gnomon/golden/cycles.hpp>
+#include <gnomon/golden/golden_engine.hpp>
 #include <stdexcept>
 #include <string_view>
 
+#include "host/pipeline/cycle_timing.hpp"
 #include "sim/compare.hpp"
 #include "sim/counter_names.hpp"
 
@@ -98,6 +101,22 @@ std::uint64_t entries_hit(golden::Engine& engine) {
 }
 
 }  // namespace
+
+std::unique_ptr<golden::Engine> make_predicting_engine(const RunRequest& request,
+                                                       const golden::HardwareConfig& config,
+                                                       std::size_t words) {
+  const sim::system::SystemOptions& system = request.settings.system;
+  const bool top = request.engine == EngineKind::System
+                       ? system.hardware == sim::system::HardwareModel::Top
+                       : request.engine == EngineKind::Golden && request.settings.memory_given;
+  golden::HardwareTiming timing;
+  if (top) {
+    timing = cycle_timing(system);
+    timing.system->job_words = words;
+  }
+  if (!golden::predictable(config, timing)) return golden::make_golden_engine(config);
+  return golden::make_timed_golden_engine(config, timing);
+}
 
 EngineAnswers run_stream(golden::Engine& engine, std::span<const golden::Word> stream,
                          std::span<const std::size_t> ends, const std::function<void(double)>& progress) {

@@ -16,6 +16,12 @@
 
 namespace gnomon::pipeline {
 
+/// Golden, with the cycles that it predicts, where it can: of gnomon_top within the system where that runs,
+/// or where golden runs and a memory was asked for; else of the units alone. `words`: of the stream.
+std::unique_ptr<golden::Engine> make_predicting_engine(const RunRequest& request,
+                                                       const golden::HardwareConfig& config,
+                                                       std::size_t words);
+
 /// What an engine did in a part of a stream.
 struct PartAnswers {
   std::map<std::string, std::uint64_t> events;  ///< counted meanwhile

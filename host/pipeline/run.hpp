@@ -60,10 +60,11 @@ struct RunSettings {
   double ray_sag = 1.0 / 512;  ///< voxels: of raycast's own tessellation
   bool frame_buffer = false;   ///< states are kept by the hardware and looked up (docs/frame-buffer.md)
   sim::system::SystemOptions system;  ///< of the system engine; `rtl` comes with the request
-  double clock_mhz = 100;             ///< the clock at which cycles are told as time
-  int image_width = 960;              ///< pixels
-  int image_height = 720;             ///< pixels
-  unsigned threads = 0;               ///< 0: all cores
+  bool memory_given = false;  ///< somebody has said what its memory is like: golden predicts its cycles
+  double clock_mhz = 100;     ///< the clock at which cycles are told as time
+  int image_width = 960;      ///< pixels
+  int image_height = 720;     ///< pixels
+  unsigned threads = 0;       ///< 0: all cores
 };
 
 /// Called with the stage's name and 0..1, from one thread at a time.

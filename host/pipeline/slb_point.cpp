@@ -3,10 +3,10 @@
 #include "host/pipeline/slb_point.hpp"
 
 #include <algorithm>
-#include <gnomon/golden/cycles.hpp>
 #include <gnomon/golden/stream.hpp>
 #include <utility>
 
+#include "host/pipeline/engines.hpp"
 #include "host/pipeline/light_answers.hpp"
 #include "host/pipeline/records.hpp"
 #include "host/pipeline/slb_answers.hpp"
@@ -55,7 +55,7 @@ class Measurement {
   }
 
   void answer() {
-    const auto engine = golden::make_timed_golden_engine(plan_.config, {});
+    const auto engine = make_predicting_engine(request_, plan_.config, work_.size());
     const auto run = [&](std::span<const golden::Word> words, std::vector<golden::Word>& results) {
       engine->submit(words);
       engine->drain([&](std::span<const golden::Word> given) {
@@ -151,8 +151,8 @@ Result<RtlAnswers> run_work(const RunRequest& request, const SlbPoint& point) tr
   options.abort = request.abort;
   options.quick_build = true;  // the work is short, and every configuration needs a model of its own
   const golden::HardwareConfig& hardware = point.record.hardware;
-  const auto engine =
-      request.make_rtl ? request.make_rtl(hardware, options) : sim::make_rtl_engine(hardware, options);
+  const auto engine = request.make_rtl ? request.make_rtl(hardware, options)
+                                       : make_engine_under_test(request, hardware, options);
   return run_compared(*engine, point.work, point.answers, request.seed,
                       report::shell_line(request.command_line));
 } catch (const sim::Aborted&) {

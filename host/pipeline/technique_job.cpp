@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <gnomon/golden/cycles.hpp>
 #include <stdexcept>
 
 #include "host/pipeline/light_answers.hpp"
@@ -73,7 +72,7 @@ Result<void> TechniqueJob::write_stream() {
 
 void TechniqueJob::run_golden() {
   auto engine = request_.make_golden ? request_.make_golden(hardware_)
-                                     : golden::make_timed_golden_engine(hardware_, {});
+                                     : make_predicting_engine(request_, hardware_, stream_.size());
   golden_ = stages_.run(report::kGoldenStage, [&] {
     return run_stream(*engine, stream_, ends_, stages_.progress_of(report::kGoldenStage));
   });

@@ -146,7 +146,9 @@ Cycles SharedScene::cycles_of_work(const report::RunRecord& record) const {
 }
 
 Result<Measurement> SharedScene::confirm(const Task& task) {
-  const pipeline::RunRequest request = request_of(task, pipeline::EngineKind::Rtl);
+  pipeline::RunRequest request = request_of(task, pipeline::EngineKind::Rtl);
+  if (request.settings.memory_given)
+    request.engine = pipeline::EngineKind::System;  // whose cycles were predicted
   if (request.settings.techniques.size() != 1) return fail("a point has one technique");
   if (pipeline::is_software(request.settings.techniques.front())) return Measurement{};
   if (!takes_short_way(request)) {
