@@ -108,6 +108,26 @@ TEST_F(RunTest, GoldenAloneComparesNothing) {
   EXPECT_THAT(content("report.html"), HasSubstr("golden engine ran alone"));
 }
 
+/// Golden predicts the cycles of the memory that was asked for, where the model knows it.
+TEST_F(RunTest, AMemoryThatIsGivenIsPredicted) {
+  RunRequest golden = request();
+  golden.engine = EngineKind::Golden;
+  const auto predicted = [&] {
+    EXPECT_TRUE(run(golden));
+    return metrics()["cycles_predicted"];
+  };
+  const auto on_chip = predicted();
+  golden.settings.system.system.dram.latency = 1000;
+  EXPECT_EQ(predicted(), on_chip) << "nobody has asked for it";
+  golden.settings.memory_given = true;
+  const auto far = predicted();
+  EXPECT_GT(far["by_pass"]["RESOLVE"]["total"], on_chip["by_pass"]["RESOLVE"]["total"]);
+  golden.settings.system.cache_log2 = 12;
+  EXPECT_LT(predicted()["by_pass"]["CLEAR"]["total"], far["by_pass"]["CLEAR"]["total"]);
+  golden.settings.techniques = {"voxel-topology"};
+  EXPECT_TRUE(predicted().is_null()) << "lists behind a cache";
+}
+
 TEST_F(RunTest, AWordThatDiffersIsShownAndFails) {
   RunRequest broken = request();
   broken.make_rtl = stand_in(sim::test::flip_bit(41, 54));
