@@ -59,6 +59,20 @@ class CoreCacheBench {
     reset();
   }
 
+  /// So many cycles without a word: lines may still be on their way to memory when nothing else is under way.
+  void rest(unsigned cycles) {
+    model_->cmd_valid_i = 0;
+    for (unsigned i = 0; i < cycles; ++i) {
+      memory_.drive(*model_);
+      model_->clk_i = 0;
+      model_->eval();
+      memory_.clock(*model_);
+      model_->clk_i = 1;
+      model_->eval();
+      ++cycles_;
+    }
+  }
+
   std::uint64_t counter(unsigned index) {
     model_->counter_index_i = static_cast<CData>(index);
     model_->eval();

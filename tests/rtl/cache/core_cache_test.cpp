@@ -58,6 +58,7 @@ class CoreCache : public testing::Test {
     CoreCacheBench<Model> bench(kTempers[seed % kTempers.size()], seed);
     if (reset_after > 0) bench.run_then_reset(words, reset_after);
     const std::vector<Word> results = bench.run(words);
+    bench.rest(1'000);
     ASSERT_EQ(bench.memory().broken(), "") << name << " seed " << seed;
     ASSERT_EQ(results.size(), expected.size()) << name << " seed " << seed;
     for (std::size_t i = 0; i < expected.size(); ++i, ++compared_) {
