@@ -102,7 +102,8 @@ Result<Measurement> SharedScene::by_shared_work(const pipeline::RunRequest& requ
   if (!point) return tl::make_unexpected(point.error());
   Measurement measured = figures_of(point->record);
   drop_unasked(measured);
-  add(measured, cycle_figures("model", point->answers.counters.cycles));
+  const Cycles& model = point->answers.counters.cycles;
+  if (!model.empty()) add(measured, cycle_figures("model", model));
   return measured;
 }
 
@@ -154,12 +155,14 @@ Result<Measurement> SharedScene::confirm(const Task& task) {
   if (!takes_short_way(request)) {
     const auto record = run(request);
     if (!record) return tl::make_unexpected(record.error());
+    if (record->predicted_cycles.empty()) return Measurement{};  // nothing to confirm
     return confirmation(record->predicted_cycles, named(record->cycles), record->compare);
   }
   const auto shared = slb();
   if (!shared) return tl::make_unexpected(shared.error());
   const auto point = pipeline::measure_slb(request, **shared, {});
   if (!point) return tl::make_unexpected(point.error());
+  if (point->answers.counters.cycles.empty()) return Measurement{};
   const auto rtl = pipeline::run_work(request, *point);
   if (!rtl) return tl::make_unexpected(rtl.error());
   return confirmation(point->answers.counters.cycles, named(rtl->cycles), rtl->compare);
