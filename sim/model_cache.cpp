@@ -54,7 +54,7 @@ Arguments compile_flags() {
 }
 /// Of what every cycle runs through.
 Arguments level(const ModelSpec& spec) {
-  return {spec.quick_build ? "-O1" : "-O3"};
+  return {spec.quick_build ? "-O1" : "-O2"};
 }
 const Arguments kSlow{"-O0"};  // constructors and the like run once
 const Arguments kRuntimeLevel{"-O2"};

@@ -31,19 +31,35 @@ module plane_ram #(
   logic [WORD-1:0] write_word;
   assign write_word = b_clear_line_i ? '0 : b_word_i;
 
-  logic [SLOTS*WORD-1:0] a_words, b_words;
+  // A bit a bank.
+  logic [SLOTS-1:0] a_reads, b_reads, b_writes;
+  always_comb begin
+    a_reads  = '0;
+    b_reads  = '0;
+    b_writes = '0;
+    if (a_read_i)       a_reads[a_slot]  = 1'b1;
+    if (b_read_i)       b_reads[b_slot]  = 1'b1;
+    if (b_write_i)      b_writes[b_slot] = 1'b1;
+    if (b_clear_line_i) b_writes         = '1;
+  end
+
+  (* mem2reg *) logic [WORD-1:0] a_words [SLOTS];
+  (* mem2reg *) logic [WORD-1:0] b_words [SLOTS];
   for (genvar slot = 0; slot < SLOTS; slot++) begin : gen_banks
+    logic [WORD-1:0] a_word, b_word;
     plane_bank #(.ADDRESS_BITS(ADDRESS_BITS), .WIDTH(WORD)) u_bank (
       .clk_i,
-      .a_read_i   (a_read_i && a_slot == SLOT_BITS'(slot)),
+      .a_read_i   (a_reads[slot]),
       .a_address_i(a_line),
-      .a_word_o   (a_words[slot*WORD+:WORD]),
-      .b_read_i   (b_read_i && b_slot == SLOT_BITS'(slot)),
-      .b_write_i  (b_clear_line_i || (b_write_i && b_slot == SLOT_BITS'(slot))),
+      .a_word_o   (a_word),
+      .b_read_i   (b_reads[slot]),
+      .b_write_i  (b_writes[slot]),
       .b_address_i(b_line),
       .b_word_i   (write_word),
-      .b_word_o   (b_words[slot*WORD+:WORD])
+      .b_word_o   (b_word)
     );
+    assign a_words[slot] = a_word;
+    assign b_words[slot] = b_word;
   end
 
   always_ff @(posedge clk_i) begin
@@ -52,10 +68,10 @@ module plane_ram #(
   end
 
   delay_line #(.WIDTH(WORD), .CYCLES(READ_LATENCY - 1)) u_a_delay (
-    .clk_i, .data_i(a_words[a_slot_q*WORD+:WORD]), .data_o(a_word_o)
+    .clk_i, .data_i(a_words[a_slot_q]), .data_o(a_word_o)
   );
   delay_line #(.WIDTH(WORD), .CYCLES(READ_LATENCY - 1)) u_b_delay (
-    .clk_i, .data_i(b_words[b_slot_q*WORD+:WORD]), .data_o(b_word_o)
+    .clk_i, .data_i(b_words[b_slot_q]), .data_o(b_word_o)
   );
 
 endmodule
