@@ -117,6 +117,9 @@ event_counters.sv
 cache/cache_counters.sv
 cycle_counters.sv
 counters.sv
+core_plane.sv
+core_voxels.sv
+core_line_port.sv
 gnomon_core.sv
 system/gnomon_registers_pkg.sv
 system/system_pkg.sv

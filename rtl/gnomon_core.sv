@@ -99,7 +99,6 @@ module gnomon_core #(
   localparam int unsigned INDEX = 2 * PLANE_LOG2;
   localparam int unsigned DEPTH = gnomon_pkg::DEPTH_FIELD_BITS;
   localparam int unsigned TAG0  = gnomon_pkg::own_tag_bits(EN_PERSPECTIVE);
-  localparam int unsigned TAG1  = gnomon_pkg::OFFSET_TAG_BITS;
   // 0 is refused above; as a width it would stop elaboration before that message is seen.
   localparam int unsigned LATENCY = (MEM_LATENCY == 0) ? 1 : MEM_LATENCY;
 
@@ -139,24 +138,18 @@ module gnomon_core #(
   logic [63:0]             slb_result;
   gnomon_pkg::slb_events_t slb_events;
 
-  // ---- Topology mode ----
-  logic                           topology_start, topology_item_offered, topology_item_valid, topology_item_ready;
-  logic                           topology_idle, topology_step;
-  logic                           topology_wait, topology_valid, topology_clipped;
-  logic [63:0]                    topology_result;
+  // ---- Voxels and quads ----
+  logic                           topology_start, topology_item_valid, topology_item_ready, topology_idle, topology_step;
+  logic                           topology_wait, topology_clipped, told_valid;
+  logic                           frame_start, frame_item_valid, frame_item_ready, frame_item_last, frame_idle, frame_step;
+  logic                           frame_wait, frame_valid;
+  logic [63:0]                    told;
   topology_pkg::topology_events_t topology_events;
-
-  // ---- Frame buffer ----
-  logic                     frame_start, frame_item_valid, frame_item_ready, frame_item_last, frame_idle, frame_step;
-  logic                     frame_wait, frame_valid, frame_room;
-  frame_pkg::frame_states_t frame_result;
-  frame_pkg::frame_events_t frame_events;
-  // State words of a resolve pass, on their way to it and to the results; and words of READ_LISTS, which it lets through.
-  logic                     state_valid, state_ready, told_valid;
-  logic [63:0]              state_word;
+  frame_pkg::frame_states_t       frame_result;
+  frame_pkg::frame_events_t       frame_events;
 
   // ---- Decoder ----
-  logic                                       register_write, item_offered, item_valid, item_ready, item_resolve;
+  logic                                       register_write, item_valid, item_ready, item_resolve;
   logic                                       item_two_sided;
   logic [gnomon_pkg::REGISTER_INDEX_BITS-1:0] register_index;
   logic                                       vpu_idle, plane_idle, clear_valid, clear_ready, clear_last;
@@ -165,8 +158,8 @@ module gnomon_core #(
   logic [7:0]                                 read_count_minus1;
   logic                                       decoder_valid;
   logic [63:0]                                decoder_result;
-  logic                                       off_plane, saturated, behind_light, quiet;
-  gnomon_pkg::events_t                        events;
+  logic                                       saturated, behind_light, quiet, command, plane_write;
+  gnomon_pkg::events_t                        events, voxel_events;
   gnomon_pkg::perspective_events_t            perspective_events;
   gnomon_pkg::sticky_t                        sticky;
   logic [3:0]                                 pass;
@@ -177,10 +170,10 @@ module gnomon_core #(
     .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2)
   ) u_decoder (
     .clk_i, .rst_ni, .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
-    .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_offered),
-    .item_ready_i(item_ready && frame_room), .item_resolve_o(item_resolve), .item_two_sided_o(item_two_sided),
-    .vpu_idle_i(vpu_idle), .topology_start_o(topology_start), .topology_item_valid_o(topology_item_offered),
-    .topology_item_ready_i(topology_item_ready && frame_room), .topology_idle_i(topology_idle), .topology_step_i(topology_step),
+    .register_write_o(register_write), .register_index_o(register_index), .item_valid_o(item_valid),
+    .item_ready_i(item_ready), .item_resolve_o(item_resolve), .item_two_sided_o(item_two_sided),
+    .vpu_idle_i(vpu_idle), .topology_start_o(topology_start), .topology_item_valid_o(topology_item_valid),
+    .topology_item_ready_i(topology_item_ready), .topology_idle_i(topology_idle), .topology_step_i(topology_step),
     .topology_wait_i(topology_wait), .frame_start_o(frame_start), .frame_item_valid_o(frame_item_valid),
     .frame_item_ready_i(frame_item_ready), .frame_item_last_o(frame_item_last), .frame_idle_i(frame_idle),
     .frame_step_i(frame_step), .frame_wait_i(frame_wait), .slb_start_o(slb_start), .slb_item_valid_o(slb_item_valid),
@@ -190,136 +183,16 @@ module gnomon_core #(
     .clear_last_i(clear_last), .read_start_o(read_start), .read_first_o(read_first),
     .read_count_minus1_o(read_count_minus1), .reading_o(reading), .read_step_i(read_step), .read_last_i(read_last),
     .result_valid_o(decoder_valid), .result_ready_i(result_ready), .result_o(decoder_result),
-    .off_plane_i(off_plane), .saturated_i(saturated || topology_events.quad_saturated),
+    .off_plane_i(voxel_events.project_off_plane), .saturated_i(saturated),
     .list_overflow_i(topology_events.node_dropped), .quad_off_plane_i(topology_clipped), .behind_light_i(behind_light),
     .line_overflow_i(slb_events.chain_dropped || slb_events.chain_reduced),
     .object_overflow_i(slb_events.group_evicted), .winding_saturated_i(slb_events.winding_saturated), .sticky_o(sticky),
     .raised_o,
     .output_blocked_i(result_valid && !result_ready), .word_awaited_i(EN_BUS && word_awaited_i),
     .result_awaited_i(EN_BUS && result_awaited_i), .pass_o(pass), .cause_o(cause),
-    .command_o(events.command), .error_o(events.error), .quiet_o(quiet), .in_command_o
+    .command_o(command), .error_o(error_given_o), .quiet_o(quiet), .in_command_o
   );
-  assign error_given_o = events.error;
   assign idle_o = quiet && !res_valid_o;
-
-  // An item goes on where the frame buffer has room for its place.
-  assign item_valid          = item_offered && frame_room;
-  assign topology_item_valid = topology_item_offered && frame_room;
-
-  // ---- Front end of the projection unit: both modes' items, one kind at a time, up to their places on the plane ----
-  localparam int unsigned PLACE     = gnomon_pkg::place_bits(PLANE_LOG2);
-  localparam int unsigned CLEARANCE = gnomon_pkg::clearance_bits(EN_PERSPECTIVE, DEPTH_BITS);
-  logic                                  front_en, front_idle, vpu_stall, topology_stall;
-  logic [gnomon_pkg::ITEM_KIND_BITS-1:0] vpu_kind, topology_kind, place_kind, moved_kind;
-  logic                                  topology_two_sided, topology_sorted, place_valid, place_behind, place_saturated;
-  logic [CLEARANCE-1:0]                  topology_clearance;
-  logic [gnomon_pkg::SHIFT_BITS-1:0]     delta_shift;
-  logic [gnomon_pkg::MARGIN_BITS-1:0]    margin_squared;
-  logic [DEPTH_BITS-1:0]                 delta_max, place_depth, moved_clearance, moved_depth, moved_delta_max;
-  logic signed [PLACE-1:0]               place_u, place_v, moved_u, moved_v;
-  logic                                  moved_valid, moved_sorted, moved_behind, outside_cone, facing_away;
-  gnomon_pkg::slopes_t                   slopes;
-  assign front_en            = !vpu_stall && !topology_stall;
-  assign vpu_kind            = item_resolve ? gnomon_pkg::ITEM_OFFSET : gnomon_pkg::ITEM_PROJECT;
-  assign topology_item_ready = front_en;
-  vpu_front #(
-    .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
-    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
-    .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .EN_PERSPECTIVE(EN_PERSPECTIVE)
-  ) u_front (
-    .clk_i, .rst_ni, .register_write_i(register_write), .register_index_i(register_index),
-    .delta_shift_o(delta_shift), .margin_squared_o(margin_squared), .delta_max_o(delta_max), .en_i(front_en),
-    .item_valid_i((item_valid && item_ready) || topology_item_valid), .word_i(word),
-    .kind_i(topology_item_valid ? topology_kind : vpu_kind),
-    .two_sided_i(topology_item_valid ? topology_two_sided : item_two_sided), .sorted_i(topology_sorted),
-    .clearance_i(topology_clearance), .idle_o(front_idle), .valid_o(place_valid), .kind_o(place_kind),
-    .behind_o(place_behind), .u_fine_o(place_u), .v_fine_o(place_v), .depth_o(place_depth),
-    .saturated_o(place_saturated), .moved_valid_o(moved_valid), .moved_kind_o(moved_kind), .sorted_o(moved_sorted),
-    .clearance_o(moved_clearance), .moved_behind_o(moved_behind), .outside_cone_o(outside_cone),
-    .facing_away_o(facing_away), .u_moved_o(moved_u), .v_moved_o(moved_v), .depth_moved_o(moved_depth),
-    .slopes_o(slopes), .item_delta_max_o(moved_delta_max)
-  );
-
-  if (EN_VPU_TOPOLOGY) begin : gen_topology
-    topology #(
-      .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .SUB_BITS(SUB_BITS),
-      .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(LATENCY),
-      .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .FIRST_LINE(LISTS_LINE)
-    ) u_topology (
-      .clk_i, .rst_ni, .start_i(topology_start), .header_i(word), .kind_o(topology_kind),
-      .two_sided_o(topology_two_sided), .sorted_o(topology_sorted), .clearance_o(topology_clearance),
-      .stall_o(topology_stall), .front_idle_i(front_idle), .valid_i(place_valid), .kind_i(place_kind),
-      .behind_i(place_behind), .u_fine_i(place_u), .v_fine_i(place_v), .depth_i(place_depth),
-      .saturated_i(place_saturated), .moved_valid_i(moved_valid), .moved_kind_i(moved_kind), .sorted_i(moved_sorted),
-      .clearance_i(moved_clearance), .moved_behind_i(moved_behind), .outside_cone_i(outside_cone),
-      .facing_away_i(facing_away), .u_moved_i(moved_u), .v_moved_i(moved_v), .depth_moved_i(moved_depth),
-      .result_valid_o(topology_valid), .result_ready_i(state_ready), .result_o(topology_result),
-      .idle_o(topology_idle), .step_o(topology_step), .wait_o(topology_wait), .clipped_o(topology_clipped),
-      .quad_behind_o(perspective_events.quad_behind), .quad_straddling_o(perspective_events.quad_straddling),
-      .behind_o(perspective_events.topology_behind), .outside_cone_o(perspective_events.topology_outside_cone),
-      .events_o(topology_events), .cache_want_o(lists_want), .cache_give_i(lists_give),
-      .cache_events_o(lists_cache_events)
-    );
-  end else begin : gen_no_topology
-    assign topology_kind                            = gnomon_pkg::ITEM_CORNER;
-    assign topology_two_sided                       = 1'b0;
-    assign topology_sorted                          = 1'b0;
-    assign topology_clearance                       = '0;
-    assign topology_stall                           = 1'b0;
-    assign topology_valid                           = 1'b0;
-    assign topology_result                          = '0;
-    assign topology_idle                            = 1'b1;
-    assign topology_step                            = 1'b0;
-    assign topology_wait                            = 1'b0;
-    assign topology_clipped                         = 1'b0;
-    assign perspective_events.quad_behind           = 1'b0;
-    assign perspective_events.quad_straddling       = 1'b0;
-    assign perspective_events.topology_behind       = 1'b0;
-    assign perspective_events.topology_outside_cone = 1'b0;
-    assign topology_events                          = '0;
-    assign lists_want                               = '0;
-    assign lists_cache_events                       = '0;
-    logic unused_topology;
-    assign unused_topology = ^{lists_give, topology_start, front_idle, moved_sorted, moved_clearance};
-  end
-
-  // ---- States: to the frame buffer, to the results, or both ----
-  assign state_valid = topology_valid || vpu_valid;
-  assign state_word  = topology_valid ? topology_result : vpu_result;
-  if (EN_FRAME_BUFFER) begin : gen_frame
-    // No pass holds more: stages and reads of the offset mode; in topology mode the order queue besides, of 2^(W + 2) for
-    // 2^W walks.
-    localparam int unsigned AHEAD      = (CACHE_LOG2 == 0) ? 0 : 1 << cache_pkg::QUEUE_LOG2;  // requests in a cache
-    localparam int unsigned WALKS_LOG2 = (CACHE_LOG2 == 0) ? $clog2(2 * LATENCY + 48) : 8;
-    localparam int unsigned QUEUE_LOG2 = EN_VPU_TOPOLOGY ? WALKS_LOG2 + 3 : $clog2(LATENCY + 60 + AHEAD);
-    logic voxel_taken;
-    assign voxel_taken = (item_valid && item_ready && item_resolve) ||
-                         (topology_item_valid && topology_item_ready && topology_kind == gnomon_pkg::ITEM_BEAM);
-    frame #(
-      .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .LAYERS_LOG2(FRAME_LAYERS_LOG2),
-      .QUEUE_LOG2(QUEUE_LOG2), .MEM_LATENCY(LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED)
-    ) u_frame (
-      .clk_i, .rst_ni, .start_i(frame_start), .word_i(word), .item_valid_i(frame_item_valid),
-      .item_ready_o(frame_item_ready), .item_last_i(frame_item_last), .voxel_valid_i(voxel_taken),
-      .voxel_ready_o(frame_room), .state_valid_i(state_valid), .state_ready_o(state_ready),
-      .state_i(state_word[gnomon_pkg::STATE_LSB+:2]), .told_valid_o(told_valid), .told_ready_i(result_ready),
-      .result_valid_o(frame_valid), .result_ready_i(result_ready), .result_o(frame_result), .idle_o(frame_idle),
-      .step_o(frame_step), .wait_o(frame_wait), .events_o(frame_events)
-    );
-  end else begin : gen_no_frame
-    assign frame_item_ready = 1'b1;
-    assign frame_room       = 1'b1;
-    assign state_ready      = result_ready;
-    assign told_valid       = state_valid;
-    assign frame_valid      = 1'b0;
-    assign frame_result     = '0;
-    assign frame_idle       = 1'b1;
-    assign frame_step       = 1'b0;
-    assign frame_wait       = 1'b0;
-    assign frame_events     = '0;
-    logic unused_frame;
-    assign unused_frame = ^{frame_start, frame_item_valid, frame_item_last};
-  end
 
   if (EN_SLB) begin : gen_slb
     slb #(
@@ -348,176 +221,72 @@ module gnomon_core #(
     assign unused_slb = ^{slb_give, slb_start, slb_item_valid, slb_close_valid};
   end
 
-  // ---- Offset mode ----
+  // ---- Voxels and quads; what of them goes to the plane ----
   logic                         update_valid, update_ready, modify_write;
-  logic [INDEX-1:0]             update_index;
+  logic [INDEX-1:0]             update_index, read0_index, read1_index;
   logic [DEPTH-1:0]             update_operand, modify_operand, modify_depth;
   gnomon_pkg::plane_entry_t     modify_entry, entry0, entry1;
-  logic                         vpu_read0_valid, vpu_read0_ready, vpu_entry0_valid, vpu_entry0_ready;
+  logic                         read0_valid, read0_ready, entry0_valid, entry0_ready;
   logic                         read1_valid, read1_ready, entry1_valid, entry1_ready;
-  logic [INDEX-1:0]             vpu_read0_index, read1_index;
-  logic [TAG0-1:0]              vpu_read0_tag;
-  logic [TAG0-1:0]              entry0_tag;
+  logic [TAG0-1:0]              read0_tag, entry0_tag;
   gnomon_pkg::offset_tag_t      read1_tag, entry1_tag;
-  logic                         vpu_valid;
-  gnomon_pkg::voxel_result_t    vpu_result;
-  vpu #(
-    .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET), .EN_PERSPECTIVE(EN_PERSPECTIVE)
-  ) u_vpu (
-    .clk_i, .rst_ni, .item_valid_i(item_valid), .item_ready_o(item_ready), .idle_o(vpu_idle), .en_i(front_en),
-    .stall_o(vpu_stall), .delta_shift_i(delta_shift), .margin_squared_i(margin_squared), .delta_max_i(delta_max),
-    .valid_i(place_valid), .kind_i(place_kind), .behind_i(place_behind), .u_fine_i(place_u), .v_fine_i(place_v),
-    .depth_i(place_depth), .saturated_i(place_saturated), .moved_valid_i(moved_valid), .moved_kind_i(moved_kind),
-    .moved_behind_i(moved_behind), .outside_cone_i(outside_cone), .facing_away_i(facing_away), .u_moved_i(moved_u),
-    .v_moved_i(moved_v), .depth_moved_i(moved_depth), .slopes_i(slopes), .item_delta_max_i(moved_delta_max),
-    .update_valid_o(update_valid), .update_ready_i(update_ready), .update_index_o(update_index),
-    .update_operand_o(update_operand), .modify_entry_i(modify_entry), .modify_operand_i(modify_operand),
-    .modify_write_o(modify_write), .modify_depth_o(modify_depth),
-    .read0_valid_o(vpu_read0_valid), .read0_ready_i(vpu_read0_ready), .read0_index_o(vpu_read0_index),
-    .read0_tag_o(vpu_read0_tag), .entry0_valid_i(vpu_entry0_valid), .entry0_ready_o(vpu_entry0_ready),
-    .entry0_i(entry0), .entry0_tag_i(entry0_tag),
+  core_voxels #(
+    .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
+    .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET),
+    .EN_PERSPECTIVE(EN_PERSPECTIVE), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2),
+    .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .EN_FRAME_BUFFER(EN_FRAME_BUFFER),
+    .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .LATENCY(LATENCY), .CACHE_LOG2(CACHE_LOG2), .LISTS_LINE(LISTS_LINE),
+    .MEM_STALL_SEED(MEM_STALL_SEED)
+  ) u_voxels (
+    .clk_i, .rst_ni, .word_i(word), .register_write_i(register_write), .register_index_i(register_index),
+    .item_valid_i(item_valid), .item_ready_o(item_ready), .item_resolve_i(item_resolve),
+    .item_two_sided_i(item_two_sided), .vpu_idle_o(vpu_idle), .topology_start_i(topology_start),
+    .topology_item_valid_i(topology_item_valid), .topology_item_ready_o(topology_item_ready),
+    .topology_idle_o(topology_idle), .topology_step_o(topology_step), .topology_wait_o(topology_wait),
+    .frame_start_i(frame_start), .frame_item_valid_i(frame_item_valid), .frame_item_last_i(frame_item_last),
+    .frame_item_ready_o(frame_item_ready), .frame_idle_o(frame_idle), .frame_step_o(frame_step),
+    .frame_wait_o(frame_wait), .update_valid_o(update_valid), .update_ready_i(update_ready),
+    .update_index_o(update_index), .update_operand_o(update_operand), .modify_entry_i(modify_entry),
+    .modify_operand_i(modify_operand), .modify_write_o(modify_write), .modify_depth_o(modify_depth),
+    .read0_valid_o(read0_valid), .read0_ready_i(read0_ready), .read0_index_o(read0_index), .read0_tag_o(read0_tag),
+    .entry0_valid_i(entry0_valid), .entry0_ready_o(entry0_ready), .entry0_i(entry0), .entry0_tag_i(entry0_tag),
     .read1_valid_o(read1_valid), .read1_ready_i(read1_ready), .read1_index_o(read1_index), .read1_tag_o(read1_tag),
     .entry1_valid_i(entry1_valid), .entry1_ready_o(entry1_ready), .entry1_i(entry1), .entry1_tag_i(entry1_tag),
-    .result_valid_o(vpu_valid), .result_ready_i(state_ready), .result_o(vpu_result),
-    .projected_o(events.voxel_projected), .off_plane_o(off_plane), .saturated_o(saturated),
-    .behind_o(perspective_events.project_behind)
+    .told_valid_o(told_valid), .told_o(told), .frame_valid_o(frame_valid), .frame_result_o(frame_result),
+    .result_ready_i(result_ready), .lists_want_o(lists_want), .lists_give_i(lists_give),
+    .lists_events_o(lists_cache_events), .events_o(voxel_events), .perspective_events_o(perspective_events),
+    .topology_events_o(topology_events), .frame_events_o(frame_events), .saturated_o(saturated),
+    .clipped_o(topology_clipped), .behind_light_o(behind_light)
   );
 
-  // ---- READ_PLANE ----
-  logic                            reader_read_valid, reader_read_ready, reader_entry_valid, reader_entry_ready;
-  logic [INDEX-1:0]                reader_read_index;
-  logic [TAG0-1:0]                 reader_read_tag;
+  // ---- The plane ----
   logic                            reader_valid, reader_busy;
   gnomon_pkg::plane_entry_result_t reader_result;
-  plane_reader #(.INDEX_BITS(INDEX), .TAG_BITS(TAG0)) u_reader (
-    .clk_i, .rst_ni, .start_i(read_start), .first_i(read_first), .count_minus1_i(read_count_minus1),
-    .busy_o(reader_busy), .last_o(read_last),
-    .read_valid_o(reader_read_valid), .read_ready_i(reader_read_ready), .read_index_o(reader_read_index),
-    .read_tag_o(reader_read_tag), .entry_valid_i(reader_entry_valid), .entry_ready_o(reader_entry_ready),
-    .entry_i(entry0), .entry_tag_i(entry0_tag),
-    .result_valid_o(reader_valid), .result_ready_i(result_ready), .result_o(reader_result)
+  core_plane #(
+    .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .LATENCY(LATENCY), .CACHE_LOG2(CACHE_LOG2),
+    .MEM_STALL_SEED(MEM_STALL_SEED)
+  ) u_plane (
+    .clk_i, .rst_ni, .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),
+    .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
+    .modify_write_i(modify_write), .modify_depth_i(modify_depth), .wrote_o(plane_write),
+    .read0_valid_i(read0_valid), .read0_ready_o(read0_ready), .read0_index_i(read0_index), .read0_tag_i(read0_tag),
+    .entry0_valid_o(entry0_valid), .entry0_ready_i(entry0_ready), .entry0_o(entry0), .entry0_tag_o(entry0_tag),
+    .read1_valid_i(read1_valid), .read1_ready_o(read1_ready), .read1_index_i(read1_index), .read1_tag_i(read1_tag),
+    .entry1_valid_o(entry1_valid), .entry1_ready_i(entry1_ready), .entry1_o(entry1), .entry1_tag_o(entry1_tag),
+    .reading_i(reading), .start_i(read_start), .first_i(read_first), .count_minus1_i(read_count_minus1),
+    .step_o(read_step), .last_o(read_last), .busy_o(reader_busy), .result_valid_o(reader_valid),
+    .result_ready_i(result_ready), .result_o(reader_result), .clear_valid_i(clear_valid), .clear_ready_o(clear_ready),
+    .clear_last_o(clear_last), .idle_o(plane_idle), .want_o(plane_want), .give_i(plane_give), .events_o(plane_events)
   );
-  assign read_step = (reader_read_valid && reader_read_ready) || (reader_valid && result_ready);
-
-  // ---- Read port 0 belongs to READ_PLANE while it lasts, else to the VPU ----
-  logic             read0_valid, read0_ready, entry0_valid, entry0_ready;
-  logic [INDEX-1:0] read0_index;
-  logic [TAG0-1:0]  read0_tag;
-  assign read0_valid        = reading ? reader_read_valid : vpu_read0_valid;
-  assign read0_index        = reading ? reader_read_index : vpu_read0_index;
-  assign read0_tag          = reading ? reader_read_tag : vpu_read0_tag;
-  assign reader_read_ready  = reading && read0_ready;
-  assign vpu_read0_ready    = !reading && read0_ready;
-  assign reader_entry_valid = reading && entry0_valid;
-  assign vpu_entry0_valid   = !reading && entry0_valid;
-  assign entry0_ready       = reading ? reader_entry_ready : vpu_entry0_ready;
-
-  // ---- Plane memory, each of its streams behind a gate for tests ----
-  logic update_gated, update_granted, read0_gated, read0_granted, read1_gated, read1_granted;
-  logic entry0_given, entry0_taken, entry1_given, entry1_taken;
-  localparam bit          STALLS = MEM_STALL_SEED != 0;
-  localparam logic [15:0] SEED   = 16'(MEM_STALL_SEED);
-  stall_gate #(.SEED(SEED)) u_stall_update (
-    .clk_i, .rst_ni, .valid_i(update_valid), .ready_o(update_ready), .valid_o(update_gated), .ready_i(update_granted)
-  );
-  stall_gate #(.SEED(STALLS ? SEED ^ 16'hA5A5 : 16'd0)) u_stall_read0 (
-    .clk_i, .rst_ni, .valid_i(read0_valid), .ready_o(read0_ready), .valid_o(read0_gated), .ready_i(read0_granted)
-  );
-  stall_gate #(.SEED(STALLS ? SEED ^ 16'h3C96 : 16'd0)) u_stall_read1 (
-    .clk_i, .rst_ni, .valid_i(read1_valid), .ready_o(read1_ready), .valid_o(read1_gated), .ready_i(read1_granted)
-  );
-  stall_gate #(.SEED(STALLS ? SEED ^ 16'h5B1D : 16'd0)) u_stall_entry0 (
-    .clk_i, .rst_ni, .valid_i(entry0_given), .ready_o(entry0_taken), .valid_o(entry0_valid), .ready_i(entry0_ready)
-  );
-  stall_gate #(.SEED(STALLS ? SEED ^ 16'hC2E7 : 16'd0)) u_stall_entry1 (
-    .clk_i, .rst_ni, .valid_i(entry1_given), .ready_o(entry1_taken), .valid_o(entry1_valid), .ready_i(entry1_ready)
-  );
-
-  if (CACHE_LOG2 == 0) begin : gen_on_chip
-    plane_memory #(
-      .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .READ_LATENCY(LATENCY)
-    ) u_plane (
-      .clk_i, .rst_ni,
-      .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index),
-      .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
-      .modify_write_i(modify_write), .modify_depth_i(modify_depth), .wrote_o(events.plane_write),
-      .read0_valid_i(read0_gated), .read0_ready_o(read0_granted), .read0_index_i(read0_index), .read0_tag_i(read0_tag),
-      .entry0_valid_o(entry0_given), .entry0_ready_i(entry0_taken), .entry0_o(entry0), .entry0_tag_o(entry0_tag),
-      .read1_valid_i(read1_gated), .read1_ready_o(read1_granted), .read1_index_i(read1_index), .read1_tag_i(read1_tag),
-      .entry1_valid_o(entry1_given), .entry1_ready_i(entry1_taken), .entry1_o(entry1), .entry1_tag_o(entry1_tag),
-      .clear_valid_i(clear_valid), .clear_ready_o(clear_ready), .clear_last_o(clear_last), .idle_o(plane_idle)
-    );
-    logic unused_give;
-    assign unused_give  = ^plane_give;
-    assign plane_want   = '0;
-    assign plane_events = '0;
-  end else begin : gen_cached
-    plane_cache #(
-      .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .SIZE_LOG2(CACHE_LOG2),
-      .FIRST_LINE(0)
-    ) u_plane (
-      .clk_i, .rst_ni,
-      .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index),
-      .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
-      .modify_write_i(modify_write), .modify_depth_i(modify_depth), .wrote_o(events.plane_write),
-      .read0_valid_i(read0_gated), .read0_ready_o(read0_granted), .read0_index_i(read0_index), .read0_tag_i(read0_tag),
-      .entry0_valid_o(entry0_given), .entry0_ready_i(entry0_taken), .entry0_o(entry0), .entry0_tag_o(entry0_tag),
-      .read1_valid_i(read1_gated), .read1_ready_o(read1_granted), .read1_index_i(read1_index), .read1_tag_i(read1_tag),
-      .entry1_valid_o(entry1_given), .entry1_ready_i(entry1_taken), .entry1_o(entry1), .entry1_tag_o(entry1_tag),
-      .clear_valid_i(clear_valid), .clear_ready_o(clear_ready), .idle_o(plane_idle),
-      .want_o(plane_want), .give_i(plane_give), .events_o(plane_events)
-    );
-    assign clear_last = 1'b0;
-  end
 
   // ---- Line port: all caches in turn ----
-  if (CACHE_LOG2 == 0) begin : gen_no_line_port
-    assign plane_give           = '0;
-    assign slb_give             = '0;
-    assign lists_give           = '0;
-    assign line_read_valid_o    = 1'b0;
-    assign line_read_address_o  = '0;
-    assign line_read_id_o       = '0;
-    assign line_data_ready_o    = 1'b1;
-    assign line_write_valid_o   = 1'b0;
-    assign line_write_address_o = '0;
-    assign line_write_id_o      = '0;
-    assign line_write_data_o    = '0;
-    assign line_write_strobe_o  = '0;
-    logic unused_line;
-    assign unused_line = ^{
-      plane_want, slb_want, lists_want, plane_base_i, line_read_ready_i, line_data_valid_i, line_data_id_i, line_data_data_i,
-      line_write_ready_i, line_written_valid_i, line_written_id_i
-    };
-  end else begin : gen_line_port
-    localparam int unsigned CLIENTS = 1 + (EN_SLB ? 2 : 0) + (EN_VPU_TOPOLOGY ? 3 : 0);
-    logic [CLIENTS*WANT-1:0] want;
-    logic [CLIENTS*GIVE-1:0] give;
-    assign want[0+:WANT] = plane_want;
-    assign plane_give    = give[0+:GIVE];
-    if (EN_SLB) begin : gen_slb_port
-      assign want[WANT+:2*WANT] = slb_want;
-      assign slb_give           = give[GIVE+:2*GIVE];
-    end else begin : gen_no_slb_port
-      logic unused_want;
-      assign unused_want = ^slb_want;
-      assign slb_give    = '0;
-    end
-    if (EN_VPU_TOPOLOGY) begin : gen_lists_port
-      assign want[(CLIENTS-3)*WANT+:3*WANT] = lists_want;
-      assign lists_give                     = give[(CLIENTS-3)*GIVE+:3*GIVE];
-    end else begin : gen_no_lists_port
-      logic unused_want;
-      assign unused_want = ^lists_want;
-      assign lists_give  = '0;
-    end
-    cache_port #(.CLIENTS(CLIENTS)) u_port (
-      .clk_i, .rst_ni, .base_i(plane_base_i), .want_i(want), .give_o(give), .line_read_valid_o, .line_read_ready_i,
-      .line_read_address_o, .line_read_id_o, .line_data_valid_i, .line_data_ready_o,
-      .line_data_id_i, .line_data_data_i, .line_write_valid_o, .line_write_ready_i, .line_write_address_o,
-      .line_write_id_o, .line_write_data_o, .line_write_strobe_o, .line_written_valid_i, .line_written_id_i
-    );
-  end
+  core_line_port #(.CACHE_LOG2(CACHE_LOG2), .EN_SLB(EN_SLB), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY)) u_line_port (
+    .clk_i, .rst_ni, .plane_base_i, .plane_want_i(plane_want), .plane_give_o(plane_give), .slb_want_i(slb_want),
+    .slb_give_o(slb_give), .lists_want_i(lists_want), .lists_give_o(lists_give), .line_read_valid_o, .line_read_ready_i,
+    .line_read_address_o, .line_read_id_o, .line_data_valid_i, .line_data_ready_o, .line_data_id_i, .line_data_data_i,
+    .line_write_valid_o, .line_write_ready_i, .line_write_address_o, .line_write_id_o, .line_write_data_o,
+    .line_write_strobe_o, .line_written_valid_i, .line_written_id_i
+  );
 
   // ---- Results: a change of kind is a barrier, so that one source speaks at a time and command order is kept ----
   assign result_valid = decoder_valid || reader_valid || frame_valid || slb_valid || told_valid;
@@ -526,7 +295,7 @@ module gnomon_core #(
     else if (reader_valid) result = reader_result;
     else if (frame_valid)  result = frame_result;
     else if (slb_valid)    result = slb_result;
-    else                   result = state_word;
+    else                   result = told;
   end
 
   // ---- Counters ----
@@ -535,19 +304,12 @@ module gnomon_core #(
     {{3{CACHED && EN_VPU_TOPOLOGY}}, {2{CACHED && EN_SLB}}, CACHED};
   logic [cache_pkg::MEMORIES*cache_pkg::EVENTS-1:0] cache_events;
   assign cache_events = {lists_cache_events, slb_cache_events, plane_events};
-  logic vpu_given;
-  assign vpu_given                    = vpu_valid && state_ready;
-  assign events.project_off_plane     = off_plane;
-  assign events.project_saturated     = saturated;
-  assign events.voxel_resolved        = vpu_given;
-  assign events.resolved_facing_away  = vpu_given && vpu_result.facing_away;
-  assign events.resolved_uncertain    = vpu_given && vpu_result.uncertain;
-  assign events.resolved_offset_empty = vpu_given && vpu_result.offset_empty;
-  assign events.resolved_shadow       = vpu_given && vpu_result.state == gnomon_pkg::STATE_SHADOW;
-  assign perspective_events.resolved_behind       = vpu_given && vpu_result.unreached && vpu_result.beyond_max;
-  assign perspective_events.resolved_outside_cone = vpu_given && vpu_result.unreached && !vpu_result.beyond_max;
-  assign behind_light = perspective_events.project_behind || perspective_events.quad_behind ||
-                        perspective_events.quad_straddling;
+  always_comb begin
+    events             = voxel_events;
+    events.command     = command;
+    events.error       = error_given_o;
+    events.plane_write = plane_write;
+  end
   counters #(.EN_PERSPECTIVE(EN_PERSPECTIVE), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY),
     .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .EN_SLB(EN_SLB), .CACHES(CACHES), .EN_SNAPSHOT(EN_BUS)
   ) u_counters (
@@ -557,10 +319,9 @@ module gnomon_core #(
     .cache_events_i(cache_events), .sticky_i(sticky), .pass_i(pass), .cause_i(cause), .index_i(counter_index_i), .value_o(counter_value_o)
   );
 
-  `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(topology_valid) + 3'(frame_valid) +
-                 3'(slb_valid) + 3'(vpu_valid) <= 3'd1)
-  `GNOMON_ASSERT(a_write_while_idle, !register_write || (vpu_idle && topology_idle))
-  `GNOMON_ASSERT(a_reader_alone, !reader_busy || (reading && vpu_idle))
+  `GNOMON_ASSERT(a_one_result_source, 3'(decoder_valid) + 3'(reader_valid) + 3'(frame_valid) + 3'(slb_valid) +
+                 3'(told_valid) <= 3'd1)
+  `GNOMON_ASSERT(a_reader_alone, !reader_busy || vpu_idle)
   `GNOMON_ASSERT_STREAM(a_result_stable, res_valid_o, res_ready_i, res_data_o)
 
 endmodule
