@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMostFaces = 100'000;
 constexpr std::uint32_t kSamples = 200'000;  ///< for the whole surface
-constexpr std::size_t kSearches =
-    8;  ///< a direction: the true extreme may lie next to the best sample's face
+/// A direction: the true extreme may lie next to the best sample's face.
+constexpr std::size_t kSearches = 8;
 
 /// A parameter of the surface and how far it lies in some direction.
 struct Extreme {
@@ -34,7 +34,7 @@ class Search {
 
   /// Steps to the best of eight neighbours, and halves the step where none is better.
   Extreme climb(Extreme best, double step) const {
-    for (; step > 1e-6; step /= 2) {
+    while (step > 1e-6) {
       for (bool moved = true; moved;) {
         moved = false;
         for (const auto& [du, dv] : kDirections) {
@@ -45,6 +45,7 @@ class Search {
           moved = true;
         }
       }
+      step /= 2;
     }
     return best;
   }
