@@ -15,14 +15,15 @@ namespace gnomon::golden::cycles {
 namespace {
 
 TEST(DramClock, OpensRowsAndSharesItsDataBus) {
+  constexpr std::uint64_t kRow = 2048;
   DramClock dram({.latency = 10});
   // Bus 2, row 2, column 2, a word 1, latency 10.
   EXPECT_EQ(dram.access(0, 0, 8), 17u);
   EXPECT_EQ(dram.access(100, 64, 64), 100u + 2 + 2 + 8 + 10);            // its row is open
-  EXPECT_EQ(dram.access(200, 8 * 2048, 8), 200u + 2 + 4 + 2 + 1 + 10);   // another row of the bank is
-  EXPECT_EQ(dram.access(300, 2048, 512), 300u + 2 + 2 + 2 + 64 + 10);    // another bank
-  EXPECT_EQ(dram.access(301, 8 * 2048, 8), 380u + 1);                    // waits for the data bus
-  EXPECT_EQ(dram.access(400, 2 * 2048 - 8, 16), 400u + 2 + 4 + 1 + 10);  // in two rows, the second one closed
+  EXPECT_EQ(dram.access(200, 8 * kRow, 8), 200u + 2 + 4 + 2 + 1 + 10);   // another row of the bank is
+  EXPECT_EQ(dram.access(300, kRow, 512), 300u + 2 + 2 + 2 + 64 + 10);    // another bank
+  EXPECT_EQ(dram.access(301, 8 * kRow, 8), 380u + 1);                    // waits for the data bus
+  EXPECT_EQ(dram.access(400, 2 * kRow - 8, 16), 400u + 2 + 4 + 1 + 10);  // in two rows, the second one closed
 }
 
 /// 4 KiB over 256 lines: 32 sets.
