@@ -16,12 +16,15 @@ namespace {
 Json error_row(const Json& errors, const char* name, const char* note) {
   const Json& all = errors.at("all");
   const Json& unambiguous = errors.at("unambiguous");
+  const Json& steady = errors.at("steady");
   return {{"name", name},
           {"note", note},
           {"all", count(all.at("mislabelled"))},
           {"all_share", share(all.at("share"))},
           {"unambiguous", count(unambiguous.at("mislabelled"))},
           {"unambiguous_share", share(unambiguous.at("share"))},
+          {"steady", count(steady.at("mislabelled"))},
+          {"steady_share", share(steady.at("share"))},
           {"false_shadow", count(all.at("false_shadow"))},
           {"false_lit", count(all.at("false_lit"))},
           {"boundary", number(errors.at("boundary_displacement"), 4)}};
@@ -34,6 +37,8 @@ Json exact_row() {
           {"all_share", "by definition"},
           {"unambiguous", "0"},
           {"unambiguous_share", "by definition"},
+          {"steady", "0"},
+          {"steady_share", "by definition"},
           {"false_shadow", "0"},
           {"false_lit", "0"},
           {"boundary", "0"},
@@ -76,6 +81,7 @@ Json receiver_row(const Json& m, const char* method, const char* key, const char
           {"samples", count(part.at("all").at("samples"))},
           {"all", share(part.at("all").at("share"))},
           {"unambiguous", share(part.at("unambiguous").at("share"))},
+          {"steady", share(part.at("steady").at("share"))},
           {"surface", share(part.at("samples").at("share"))},
           {"length", number(part.at("boundary_length"), 0)},
           {"boundary", number(part.at("boundary_displacement"), 4)}};

@@ -40,6 +40,7 @@ Json light_row(const std::string& number_of, const Json& light) {
           {"shadow", share(light.at("shadow_share"))},
           {"not_reached", count(light.at("not_reached"))},
           {"unambiguous", among(errors.at("fixed"), "unambiguous")},
+          {"steady", among(errors.at("fixed"), "steady")},
           {"unambiguous_double", among(errors.at("double"), "unambiguous")},
           {"all", among(errors.at("fixed"), "all")},
           {"boundary", number(errors.at("fixed").at("boundary_displacement"), 4)},

@@ -95,8 +95,10 @@ Json key_figures(const Json& m) {
            : m.at("plane").is_null()
                ? std::string("the scene, sampled")
                : fmt::format("{} of them uncertain", share(m.at("voxels").at("uncertain_share")))));
-  tiles.push_back(tile("mislabelled, unambiguous", share(fixed_errors.at("unambiguous").at("share")),
-                       share(fixed_errors.at("all").at("share")) + " of all voxels"));
+  tiles.push_back(
+      tile("mislabelled, unambiguous", share(fixed_errors.at("unambiguous").at("share")),
+           fmt::format("{} of all voxels, {} of steady ones", share(fixed_errors.at("all").at("share")),
+                       share(fixed_errors.at("steady").at("share")))));
   tiles.push_back(tile("boundary displacement", number(fixed_errors.at("boundary_displacement"), 3),
                        m.at("slb").is_null() ? "plane entries, mean" : "pixels of the plane, mean"));
   if (!m.at("cycles").is_null()) {

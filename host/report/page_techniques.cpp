@@ -71,6 +71,7 @@ void add_errors(const Json& techniques, Json& rows) {
   add("mislabelled, unambiguous",
       [](const Json& t) { return wrong(t.at("errors").at("fixed"), "unambiguous"); });
   add("the same in double", [](const Json& t) { return wrong(t.at("errors").at("double"), "unambiguous"); });
+  add("mislabelled, steady", [](const Json& t) { return wrong(t.at("errors").at("fixed"), "steady"); });
   add("mislabelled, all", [](const Json& t) { return wrong(t.at("errors").at("fixed"), "all"); });
   add("the same in double", [](const Json& t) { return wrong(t.at("errors").at("double"), "all"); });
   add("fixed and double differ", [](const Json& t) {

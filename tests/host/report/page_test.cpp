@@ -63,6 +63,19 @@ TEST(Page, TheSystemEngineHasASectionOfItsOwn) {
   EXPECT_THAT(html, HasSubstr("500,000 cycles from power-up"));
 }
 
+/// 233 of 173,600 in fixed point, of all receivers.
+TEST(Page, SteadyVoxelsStandBesideUnambiguousOnes) {
+  const std::string html = page_of(sample_record());
+  EXPECT_THAT(html, HasSubstr("<td data-label=\"mislabelled, unambiguous\">250<small>"));
+  EXPECT_THAT(html, HasSubstr("<td data-label=\"mislabelled, steady\">233<small>0.134 %</small></td>"));
+  EXPECT_THAT(html, HasSubstr("0.134 % of steady ones")) << "among the key figures";
+  EXPECT_THAT(html, HasSubstr("<dt>steady</dt>"));
+  const std::string techniques =
+      report_page(metrics_json(std::vector<RunRecord>{sample_record(), topology_record()}),
+                  {"reference", {{"voxel-offset", "a", "b"}, {"voxel-topology", "c", "d"}}});
+  EXPECT_THAT(techniques, HasSubstr("<th scope=\"row\">mislabelled, steady</th><td>233 (0.134 %)</td>"));
+}
+
 TEST(Page, ATechniqueWithoutAFormInDoubleHasNoSuchLine) {
   RunRecord record = sample_record();
   EXPECT_THAT(page_of(record), HasSubstr("Quantisation error:"));
