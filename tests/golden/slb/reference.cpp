@@ -45,6 +45,7 @@ std::vector<Side> reference_walk(const Vertex& from, const Vertex& to, const Slb
     events.push_back({(j - y0) / dy, 0, -1 / dy, dy > 0 ? Side::Top : Side::Bottom});
   std::sort(events.begin(), events.end());
   std::vector<Side> sides;
+  sides.reserve(events.size());
   for (const Event& event : events) sides.push_back(event.side);
   return sides;
 }

@@ -16,7 +16,7 @@ double middle(const SlbConfig& config) {
   return config.side() / 2.0;
 }
 
-Scene one(Polygon polygon, const SlbConfig& config) {
+Scene one(const Polygon& polygon, const SlbConfig& config) {
   return {{quantise(polygon, config)}};
 }
 

@@ -98,10 +98,10 @@ TEST(TopologyUnit, ReservedFlagsCountsAndRangesAreErrors) {
 TEST(TopologyUnit, CommandsMayComeInPieces) {
   const TopologyConfig config = small_config();
   stimulus::Random random(9);
-  std::vector<Quad> quads;
-  for (int i = 0; i < 50; ++i) quads.push_back(random_quad(random, config, 6));
-  std::vector<Word> voxels;
-  for (int i = 0; i < 100; ++i) voxels.push_back(word_of(random_item(random, config), config));
+  std::vector<Quad> quads(50);
+  for (Quad& quad : quads) quad = random_quad(random, config, 6);
+  std::vector<Word> voxels(100);
+  for (Word& voxel : voxels) voxel = word_of(random_item(random, config), config);
   const std::vector<Word> puts = words_of(quads, config);
 
   TopologyUnit whole(config), pieces(config);

@@ -68,7 +68,8 @@ int self_shadowed(double tan, int kernel, int depth_bits) {
   const DepthMap map(plan, [&](const Vec3& start) { return Sheets{depth(start) - start.z, 1}; });
   int dark = 0;
   for (int i = 0; i < 40'000; ++i) {
-    Vec3 p(10 + 0.3 * (i % 200) + 1e-4 * i, 10 + 0.3 * (i / 200), 0);
+    const int row = i / 200, column = i % 200;
+    Vec3 p(10 + 0.3 * column + 1e-4 * i, 10 + 0.3 * row, 0);
     p.z = depth(p);
     dark += map.in_shadow(p, 1 / std::hypot(1, tan), kernel) ? 1 : 0;
   }
@@ -136,8 +137,9 @@ TEST(DepthMap, CountsItsCyclesAndBytes) {
 }
 
 TEST(MapPlan, FillsTheMemoryItIsGiven) {
-  EXPECT_EQ(side_within(256 * 256 * 24, 3), 256);
-  EXPECT_EQ(side_within(256 * 256 * 24 - 1, 3), 255);
+  constexpr std::uint64_t kBits = std::uint64_t{256} * 256 * 24;
+  EXPECT_EQ(side_within(kBits, 3), 256);
+  EXPECT_EQ(side_within(kBits - 1, 3), 255);
   EXPECT_EQ(side_within(5, 3), 1);
   const MapPlan plan = with_side(plan_of(80), 200);
   EXPECT_EQ(plan.memory_bits(), 200u * 200u * 24u);
