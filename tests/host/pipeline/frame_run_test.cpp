@@ -57,7 +57,7 @@ TEST_F(FrameRunTest, MemoryAndWordsAreThoseOfThePage) {
   EXPECT_EQ(kept["memory"]["frame_buffer_bits"], 512 * 136)
       << "24 voxels a side need 5 bits: 8 x 8 x 8 bricks";
   EXPECT_EQ(kept["memory"]["hardware_bits"].get<std::uint64_t>(),
-            without["memory"]["hardware_bits"].get<std::uint64_t>() + 512 * 136);
+            without["memory"]["hardware_bits"].get<std::uint64_t>() + 512ULL * 136);
   const auto bricks = kept["events"]["FRAME_BRICKS"].get<std::uint64_t>();
   EXPECT_EQ(kept["memory"]["result_stream_bits"].get<std::uint64_t>(), 64 * (3 * bricks + 1))
       << "and a fence";

@@ -26,7 +26,7 @@ TEST_F(SlbRunTest, BordersAreFinerThanPixelsAndEveryWordIsCompared) {
   EXPECT_EQ(m["compare"]["differing"], 0);
   // An answer a query, a fence, and the plane: a word and four raw words an entry.
   EXPECT_EQ(m["compare"]["words"].get<std::uint64_t>(),
-            m["events"]["SLB_QUERIES"].get<std::uint64_t>() + 1 + 5 * 32 * 32);
+            m["events"]["SLB_QUERIES"].get<std::uint64_t>() + 1 + 5ULL * 32 * 32);
   EXPECT_GT(m["slb"]["pixels_by_fragments"][1].get<std::uint64_t>(), 50u);
   EXPECT_EQ(m["slb"]["overflow_pixels"], 0);
   EXPECT_EQ(m["errors"]["shadow_maps"].size(), 2u);

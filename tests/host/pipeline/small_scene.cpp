@@ -78,7 +78,7 @@ scene::Scene small_scene(const std::filesystem::path& directory) {
   return std::move(*loaded);
 }
 
-RtlFactory stand_in(sim::test::Alteration alteration) {
+RtlFactory stand_in(const sim::test::Alteration& alteration) {
   return [alteration](const golden::HardwareConfig& config,
                       const sim::RtlOptions&) -> std::unique_ptr<sim::RtlEngine> {
     std::unique_ptr<golden::Engine> engine = golden::make_golden_engine(config);

@@ -17,7 +17,7 @@ scene::Scene small_scene(const std::filesystem::path& directory);
 
 /// The rtl engine's interface on golden, with `alteration` of its answers: an engine under test that needs no
 /// compiler.
-RtlFactory stand_in(sim::test::Alteration alteration = nullptr);
+RtlFactory stand_in(const sim::test::Alteration& alteration = nullptr);
 /// Hangs at the first drain.
 RtlFactory hanging_stand_in();
 

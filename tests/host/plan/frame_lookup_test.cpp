@@ -154,8 +154,9 @@ TEST(FrameLookup, OffsetStatesAreThoseWithoutIt) {
   const std::vector<golden::VoxelItem> items = voxel_items(scene().voxels, plan.config);
   Machine plain(plan.config);
   const Outcome without = plain.run(vpu_stream(plan, scene().voxels, kTwoSided));
-  std::vector<VoxelState> expected;
   const auto results = voxel_results(without.results, items.size()).value();
+  std::vector<VoxelState> expected;
+  expected.reserve(results.size());
   for (const auto& result : results) expected.push_back(result.state);
 
   const golden::HardwareConfig config = with_frame_buffer(plan.config, 1).value();

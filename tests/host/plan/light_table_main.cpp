@@ -196,7 +196,7 @@ void measure(const Model& model, Table& table) {
     const auto truth = metrics::shadow_truth(lit, model.surfaces, model.voxels);
     const Methods methods(model, light);
     for (const auto& [method, answers] : methods.answers())
-      table[method + " | " + name].models.emplace_back(model.name, figures_of(truth, answers));
+      table[fmt::format("{} | {}", method, name)].models.emplace_back(model.name, figures_of(truth, answers));
   }
 }
 
@@ -228,7 +228,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: light_table RES MODEL.obj...\n");
     return 1;
   }
-  const auto res = static_cast<std::uint32_t>(std::atoi(argv[1]));
+  const auto res = static_cast<std::uint32_t>(std::stoul(argv[1]));
   for (const bool ground : {true, false}) {
     Table table;
     for (int i = 2; i < argc; ++i) measure(load(argv[i], res, ground), table);

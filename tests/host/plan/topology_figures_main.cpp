@@ -111,7 +111,7 @@ void measure(const std::string& path, std::uint32_t res, bool ground, const Vec3
   const auto casting = voxel::casting_quads(surfaces, voxels);
 
   const auto fixed = [&](const plan::TopologySettings& settings, Row& row) {
-    const auto plan = require(plan::plan_topology(voxels, casting.quads, travel, settings));
+    auto plan = require(plan::plan_topology(voxels, casting.quads, travel, settings));
     const auto run = test::run_topology(plan, voxels, two_sided);
     row.add(truth, states_of(run));
     row.uncertain += run.events.at("TOPOLOGY_UNCERTAIN");
@@ -147,7 +147,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: topology_figures RES MODEL.obj...\n");
     return 1;
   }
-  const auto res = static_cast<std::uint32_t>(std::atoi(argv[1]));
+  const auto res = static_cast<std::uint32_t>(std::stoul(argv[1]));
   for (const bool ground : {true, false}) {
     Table table;
     for (int i = 2; i < argc; ++i)

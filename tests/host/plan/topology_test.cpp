@@ -131,7 +131,7 @@ TEST(Topology, OrderOfListsDoesNotChangeAState) {
 }
 
 TEST(Topology, HitsNameAQuadThatIsInFront) {
-  const Vec3 light = kLights[1];
+  const Vec3& light = kLights[1];
   const auto plan = plan_of(light);
   const auto answers = run(plan);
   std::uint64_t checked = 0;

@@ -26,10 +26,10 @@ class Ground : public testing::Test {
         scene_(surfaces_, voxels_),
         lit_(voxels_.voxels.size(), VoxelState::Lit),
         dark_(voxels_.voxels.size(), VoxelState::Shadow) {
-    options_.width = 96;
-    options_.height = 72;
+    options_.width = kWidth;
+    options_.height = kHeight;
     options_.supersample = 2;
-    samples_ = 96 * 72 * 4;
+    samples_ = kColumns * kRows;
   }
 
   Picture draw(const std::vector<StateShadows>& lights) const {
@@ -37,9 +37,10 @@ class Ground : public testing::Test {
   }
   /// Where sample i of a mask sees the ground.
   Vec3 seen(std::size_t i) const {
-    const CameraRays rays(camera_, 96.0 / 72);
-    const Vec3 way = rays.direction((static_cast<double>(i % 192) + 0.5) / 192,
-                                    (static_cast<double>(i / 192) + 0.5) / 144);
+    const CameraRays rays(camera_, static_cast<double>(kWidth) / kHeight);
+    const std::size_t column = i % kColumns, row = i / kColumns;
+    const Vec3 way = rays.direction((static_cast<double>(column) + 0.5) / kColumns,
+                                    (static_cast<double>(row) + 0.5) / kRows);
     return rays.eye() + way * ((6.5 - rays.eye().z) / way.z);
   }
   int red(const Picture& picture, std::size_t pixel) const { return picture.image.rgb[3 * pixel]; }
@@ -55,6 +56,9 @@ class Ground : public testing::Test {
   PictureScene scene_;
   std::vector<VoxelState> lit_, dark_;
   PictureOptions options_;
+  static constexpr int kWidth = 96, kHeight = 72;
+  static constexpr std::size_t kColumns = std::size_t{2} * kWidth,
+                               kRows = std::size_t{2} * kHeight;  ///< of samples
   std::size_t samples_;
 };
 
@@ -73,7 +77,7 @@ TEST_F(Ground, LightsAddUp) {
   const Picture first = draw({{above_, lit_}, {slanted_, dark_}});
   const Picture second = draw({{above_, dark_}, {slanted_, lit_}});
   const Picture all = draw({{above_, lit_}, {slanted_, lit_}});
-  const std::size_t middle = 36 * 96 + 48;
+  const std::size_t middle = std::size_t{kHeight} / 2 * kWidth + kWidth / 2;
   EXPECT_LT(red(none, middle), red(second, middle));
   EXPECT_LT(red(second, middle), red(first, middle)) << "at half a right angle there is less of it";
   EXPECT_LT(red(first, middle), red(all, middle));
@@ -115,11 +119,11 @@ TEST_F(Ground, APointLightIsBrightestBelowIt) {
   const Picture ambient = draw({{point_, dark_}});
   // Lambert's cosine, in linear light: check against the distance on the ground.
   std::size_t brightest = 0;
-  for (std::size_t pixel = 0; pixel < 96 * 72; ++pixel) {
+  for (std::size_t pixel = 0; pixel < std::size_t{kWidth} * kHeight; ++pixel) {
     EXPECT_GT(red(picture, pixel), red(ambient, pixel));
     if (red(picture, pixel) > red(picture, brightest)) brightest = pixel;
   }
-  const std::size_t sample = (brightest / 96 * 2) * 192 + brightest % 96 * 2;
+  const std::size_t sample = (brightest / kWidth * 2) * kColumns + brightest % kWidth * 2;
   const Vec3 off = seen(sample) - std::get<PointLight>(point_).position;
   EXPECT_LT(std::hypot(off.x, off.y), 3);
 }

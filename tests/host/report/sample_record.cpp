@@ -88,7 +88,8 @@ RunRecord slb_record() {
   r.plane.reset();
   r.errors.in_double.reset();
   r.errors.pitch = 0.6;
-  r.errors.shadow_maps = {{256, 256 * 256 * 20, error_record(5000)}, {32768, 21474836480, error_record(900)}};
+  r.errors.shadow_maps = {{256, std::uint64_t{256} * 256 * 20, error_record(5000)},
+                          {32768, 21474836480, error_record(900)}};
   r.hardware.en_slb = true;
   r.hardware.en_vpu_offset = false;
   r.slb = SlbRecord{256, 0.6, 256, 8, 11, {60000, 5000, 536, 0, 0}, 23903, 3};

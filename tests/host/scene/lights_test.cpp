@@ -180,7 +180,8 @@ TEST(Lights, ReachAndTurnTheSameInEveryCoordinates) {
   for (const Light& light : lights) {
     const Light moved = transformed(light, there);
     for (int i = 0; i < 1000; ++i) {
-      const Vec3 p(i % 10 - 4.5, i / 10 % 10 - 4.5, i / 100 - 4.5);
+      const int x = i % 10, y = i / 10 % 10, z = i / 100;
+      const Vec3 p(x - 4.5, y - 4.5, z - 4.5);
       Vec3 way;
       turn.multDirMatrix(light_way(light, p), way);
       EXPECT_NEAR((light_way(moved, p * there) - way).length(), 0, 1e-12);
