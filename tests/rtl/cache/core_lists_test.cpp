@@ -28,7 +28,7 @@ TEST(CoreLists, AnswersAsGoldenInBothModes) {
   for (const ProjectionCase& one : projection_cases(8)) {
     ++seed;
     CoreCacheBench<Vcache_core_lists> bench(tempers[seed % tempers.size()], seed);
-    if (seed % 3 == 0) bench.run_then_reset(one.words, 97 * seed);
+    if (seed % 3 == 0) bench.run_then_reset(one.words, std::uint64_t{97} * seed);
     const std::vector<Word> results = bench.run(one.words);
     ASSERT_EQ(bench.memory().broken(), "") << one.name;
     ASSERT_EQ(results.size(), one.results.size()) << one.name;

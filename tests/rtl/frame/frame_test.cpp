@@ -144,10 +144,11 @@ class FrameBench {
 
 /// The states, and the words in which they come.
 struct Table {
-  std::vector<std::uint8_t> states = std::vector<std::uint8_t>(kLayers * kSide * kSide * kSide);
+  static constexpr std::size_t kVoxels = std::size_t{kSide} * kSide * kSide;
+  std::vector<std::uint8_t> states = std::vector<std::uint8_t>(kLayers * kVoxels);
 
   std::uint8_t& at(unsigned layer, int x, int y, int z) {
-    return states[layer * kSide * kSide * kSide + static_cast<std::size_t>((z * kSide + y) * kSide + x)];
+    return states[layer * kVoxels + static_cast<std::size_t>((z * kSide + y) * kSide + x)];
   }
   std::vector<std::uint64_t> words(const std::vector<Voxel>& voxels, bool bricks, unsigned layer) {
     std::vector<std::uint64_t> words;
@@ -164,6 +165,7 @@ struct Table {
       one_each.push_back(at(layer, v.x, v.y, v.z));
       if (!bricks) continue;
       std::vector<std::uint8_t> brick;
+      brick.reserve(64);
       for (int i = 0; i < 64; ++i)
         brick.push_back(at(layer, v.x / 4 * 4 + i % 4, v.y / 4 * 4 + i / 4 % 4, v.z / 4 * 4 + i / 16));
       pack(brick);
