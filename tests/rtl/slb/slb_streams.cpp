@@ -141,6 +141,7 @@ class Wide {
     append(words_, slb_command(SlbOp::Fill, 0, 0, {}));
     for (int row = 0; row < config_.side(); ++row) {
       std::vector<Word> samples;
+      samples.reserve(static_cast<std::size_t>(config_.side()));
       for (int column = 0; column < config_.side(); ++column)
         samples.push_back(encode(golden::slb::CoverSample{column, row, depth(), 3}, config_));
       append(words_, slb_command(SlbOp::Cover, 0, 0, samples));

@@ -132,7 +132,7 @@ TEST(SlbThroughput, AFillTakesACycleForASpanWithoutLines) {
 TEST(SlbThroughput, AFillOfAFlatObjectTakesACycleForACoveredLine) {
   const Fill fill = fill_of({{4, 4, 59, 59}}, true);
   EXPECT_EQ(fill.covered, 54u * 54);
-  EXPECT_EQ(fill.cycles, fill.groups + 2u * 54 + kFillStart);  // the two lines in the middle of a row
+  EXPECT_EQ(fill.cycles, fill.groups + 2ULL * 54 + kFillStart);  // the two lines in the middle of a row
 }
 
 TEST(SlbThroughput, AFillOfAnObjectThatTouchesNoRowTakesNothing) {

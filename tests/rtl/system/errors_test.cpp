@@ -173,8 +173,7 @@ TEST(SystemErrors, AResetWaitsForAMemoryThatIsSlowButMoves) {
 /// at their reset values when it is over.
 TEST(SystemErrors, AResetInAnyCycleOfAJobLeavesNoCount) {
   Bench bench(1);
-  std::vector<Word> words;
-  for (int i = 0; i < 3; ++i) words.push_back(golden::encode(golden::Header{0, 0, 0, 0}));
+  const std::vector<Word> words(3, golden::encode(golden::Header{0, 0, 0, 0}));
   unsigned within = 0;
   for (unsigned delay = 0; delay < 200; ++delay) {
     bench.start({}, kTimeout);

@@ -54,8 +54,8 @@ TEST(FairGrant, NobodyWaitsForEver) {
   }
   EXPECT_EQ(granted[0] + granted[1] + granted[2], 10'000u);
   EXPECT_EQ(longest, 66u);  // 65 grants of others, and that of the other who waits as long
-  EXPECT_NEAR(granted[1], 10'000 / 67, 2);
-  EXPECT_NEAR(granted[2], 10'000 / 67, 2);
+  EXPECT_NEAR(granted[1], 10'000. / 67, 2);
+  EXPECT_NEAR(granted[2], 10'000. / 67, 2);
 }
 
 TEST(FairGrant, WaitingCountsGrantsNotCycles) {

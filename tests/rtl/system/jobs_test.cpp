@@ -157,8 +157,8 @@ TEST(SystemThroughput, HidesALatencyOfTwoHundredCycles) {
   RecordProperty("cycles_latency_200", static_cast<int>(farther));
   EXPECT_LT(near, 4400u);
   // Once each: descriptor, first words, last results, completion.
-  EXPECT_LT(far, near + 5 * 100);
-  EXPECT_LT(farther, near + 5 * 200);
+  EXPECT_LT(far, near + 5ULL * 100);
+  EXPECT_LT(farther, near + 5ULL * 200);
 }
 
 }  // namespace
