@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <tuple>
 
 namespace gnomon::sim::test {
 
@@ -15,7 +16,10 @@ struct CoveragePoint {
   std::string file;  ///< name without folders
   int line = 0;
   std::string name;  ///< of the bit, or what kind of block
-  auto operator<=>(const CoveragePoint&) const = default;
+
+  bool operator<(const CoveragePoint& other) const {
+    return std::tie(kind, file, line, name) < std::tie(other.kind, other.file, other.line, other.name);
+  }
 };
 
 /// How often each point was reached.

@@ -7,8 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <fstream>
 #include <thread>
+#include <vector>
 
 #include "sim/content_hash.hpp"
 #include "tests/sim/tiny_model.hpp"
@@ -90,9 +93,9 @@ TEST_F(ModelCacheTest, EverythingThatMattersIsPartOfTheKey) {
 
 TEST_F(ModelCacheTest, ConcurrentThreadsBuildOneModel) {
   std::atomic<int> built{0};
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&] {
+  std::array<std::thread, 4> threads;
+  for (std::thread& thread : threads) {
+    thread = std::thread([&] {
       ModelCache cache(tools());
       cache.load({});
       built += cache.built();

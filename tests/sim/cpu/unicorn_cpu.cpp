@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint32_t kNoException = ~0U;
 
-uc_engine* get(const std::unique_ptr<void, auto>& engine) {
+template <class Close>
+uc_engine* get(const std::unique_ptr<void, Close>& engine) {
   return static_cast<uc_engine*>(engine.get());
 }
 void must(uc_err error) {
