@@ -16,7 +16,7 @@ TEST(DramTiming, AnEmptyBankAHitAndAConflict) {
   DramTiming dram(kConfig);
   EXPECT_EQ(dram.access(100, 0, 64, false), 100u + 3 + 2 + 8 + 10);
   EXPECT_EQ(dram.access(200, 64, 64, false), 200u + 2 + 8 + 10);
-  EXPECT_EQ(dram.access(300, 4 * 1024, 64, true), 300u + 5 + 3 + 2 + 8 + 10)
+  EXPECT_EQ(dram.access(300, std::uint64_t{4} * 1024, 64, true), 300u + 5 + 3 + 2 + 8 + 10)
       << "the next row of the same bank";
   EXPECT_EQ(dram.access(400, 1024, 8, false), 400u + 3 + 2 + 1 + 10) << "another bank";
   EXPECT_EQ(dram.access(500, 4 * 1024 + 8, 1, false), 500u + 2 + 1 + 10) << "left open";
