@@ -261,6 +261,7 @@ TEST(System, SeveralLiveInOneProcess) {
   std::vector<Words> found(4);
   {
     std::vector<std::jthread> threads;
+    threads.reserve(found.size());
     for (Words& results : found)
       threads.emplace_back([&] {
         Bench bench;
