@@ -9,6 +9,7 @@ module core_plane #(
   parameter bit          EN_PERSPECTIVE = 1'b0,
   parameter int unsigned LATENCY        = 1,   // cycles of a read of the RAM
   parameter int unsigned CACHE_LOG2     = 0,
+  parameter int unsigned LINE_IDS_LOG2  = 4,
   parameter int unsigned MEM_STALL_SEED = 0,
   // Derived; not to be overridden.
   parameter int unsigned INDEX = 2 * PLANE_LOG2,
@@ -126,13 +127,13 @@ module core_plane #(
       .entry1_tag_o, .clear_valid_i, .clear_ready_o, .clear_last_o, .idle_o
     );
     logic unused_give;
-    assign unused_give = ^give_i;
+    assign unused_give = (^give_i) ^ (LINE_IDS_LOG2 == 0);
     assign want_o      = '0;
     assign events_o    = '0;
   end else begin : gen_cached
     plane_cache #(
       .INDEX_BITS(INDEX), .OPERAND_BITS(DEPTH), .TAG0_BITS(TAG0), .TAG1_BITS(TAG1), .SIZE_LOG2(CACHE_LOG2),
-      .FIRST_LINE(0)
+      .FIRST_LINE(0), .LINE_IDS_LOG2(LINE_IDS_LOG2)
     ) u_plane (
       .clk_i, .rst_ni, .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i, .update_operand_i,
       .modify_entry_o, .modify_operand_o, .modify_write_i, .modify_depth_i, .wrote_o, .read0_valid_i(read0_gated),

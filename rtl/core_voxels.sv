@@ -22,6 +22,7 @@ module core_voxels #(
   parameter int unsigned FRAME_LAYERS_LOG2 = 0,
   parameter int unsigned LATENCY          = 1,   // cycles of a read of a plane's RAM
   parameter int unsigned CACHE_LOG2       = 0,
+  parameter int unsigned LINE_IDS_LOG2    = 4,
   parameter int unsigned LISTS_LINE       = 0,   // where topology mode's memories begin
   parameter int unsigned MEM_STALL_SEED   = 0,
   // Derived; not to be overridden.
@@ -136,7 +137,7 @@ module core_voxels #(
     topology #(
       .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .SUB_BITS(SUB_BITS),
       .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(LATENCY),
-      .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .FIRST_LINE(LISTS_LINE)
+      .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .LINE_IDS_LOG2(LINE_IDS_LOG2), .FIRST_LINE(LISTS_LINE)
     ) u_topology (
       .clk_i, .rst_ni, .start_i(topology_start_i), .header_i(word_i), .kind_o(topology_kind),
       .two_sided_o(topology_two_sided), .sorted_o(topology_sorted), .clearance_o(topology_clearance),

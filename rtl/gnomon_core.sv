@@ -35,6 +35,7 @@ module gnomon_core #(
   parameter int unsigned MEM_LATENCY      = 1,      // cycles of a read of a plane's RAM
   // Other than 0 (12..16): planes and lists lie in memory, behind caches of 2^CACHE_LOG2 bytes a unit (docs/cache.md).
   parameter int unsigned CACHE_LOG2       = 0,
+  parameter int unsigned LINE_IDS_LOG2    = 4,      // 2^LINE_IDS_LOG2 of their lines may be under way each way
   parameter bit          EN_BUS           = 1'b0,   // inside gnomon_top: heeds the inputs from around it
   parameter int unsigned MEM_STALL_SEED   = 0       // test aid: other than 0 (1..65535), the planes' ports stall at random
 ) (
@@ -66,23 +67,9 @@ module gnomon_core #(
   output gnomon_pkg::sticky_t raised_o,     // sticky flags raised in this cycle
   // Line port of the caches (docs/cache.md); silent without. Planes and lists lie from `plane_base_i` on, which changes only
   // in reset.
-  input  logic [63:12]  plane_base_i,
-  output logic          line_read_valid_o,
-  input  logic          line_read_ready_i,
-  output logic [63:6]   line_read_address_o,
-  output logic [2:0]    line_read_id_o,
-  input  logic          line_data_valid_i,
-  output logic          line_data_ready_o,
-  input  logic [2:0]    line_data_id_i,
-  input  logic [511:0]  line_data_data_i,
-  output logic          line_write_valid_o,
-  input  logic          line_write_ready_i,
-  output logic [63:6]   line_write_address_o,
-  output logic [2:0]    line_write_id_o,
-  output logic [511:0]  line_write_data_o,
-  output logic [63:0]   line_write_strobe_o,
-  input  logic          line_written_valid_i,
-  input  logic [2:0]    line_written_id_i
+  input  logic [63:12]          plane_base_i,
+  output cache_pkg::port_want_t lines_o,
+  input  cache_pkg::port_give_t lines_i
 );
 
   parameter_check #(
@@ -93,7 +80,7 @@ module gnomon_core #(
     .EN_SLB(EN_SLB), .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS),
     .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS),
     .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(MEM_LATENCY),
-    .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2)
+    .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .LINE_IDS_LOG2(LINE_IDS_LOG2)
   ) u_parameter_check ();
 
   localparam int unsigned INDEX = 2 * PLANE_LOG2;
@@ -199,7 +186,7 @@ module gnomon_core #(
       .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .DEPTH_BITS(DEPTH_BITS),
       .PLANE_LOG2(SLB_PLANE_LOG2), .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS), .ROUNDING(SLB_ROUNDING),
       .DIVIDERS(SLB_DIVIDERS), .MEM_LATENCY(LATENCY), .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2),
-      .FIRST_LINE(SLB_LINE)
+      .LINE_IDS_LOG2(LINE_IDS_LOG2), .FIRST_LINE(SLB_LINE)
     ) u_slb (
       .clk_i, .rst_ni, .start_i(slb_start), .item_valid_i(slb_item_valid), .item_ready_o(slb_item_ready),
       .word_i(word), .close_valid_i(slb_close_valid), .close_ready_o(slb_close_ready), .result_valid_o(slb_valid),
@@ -235,8 +222,8 @@ module gnomon_core #(
     .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2), .EN_VPU_OFFSET(EN_VPU_OFFSET),
     .EN_PERSPECTIVE(EN_PERSPECTIVE), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2),
     .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .EN_FRAME_BUFFER(EN_FRAME_BUFFER),
-    .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .LATENCY(LATENCY), .CACHE_LOG2(CACHE_LOG2), .LISTS_LINE(LISTS_LINE),
-    .MEM_STALL_SEED(MEM_STALL_SEED)
+    .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .LATENCY(LATENCY), .CACHE_LOG2(CACHE_LOG2), .LINE_IDS_LOG2(LINE_IDS_LOG2),
+    .LISTS_LINE(LISTS_LINE), .MEM_STALL_SEED(MEM_STALL_SEED)
   ) u_voxels (
     .clk_i, .rst_ni, .word_i(word), .register_write_i(register_write), .register_index_i(register_index),
     .item_valid_i(item_valid), .item_ready_o(item_ready), .item_resolve_i(item_resolve),
@@ -264,7 +251,7 @@ module gnomon_core #(
   gnomon_pkg::plane_entry_result_t reader_result;
   core_plane #(
     .PLANE_LOG2(PLANE_LOG2), .EN_PERSPECTIVE(EN_PERSPECTIVE), .LATENCY(LATENCY), .CACHE_LOG2(CACHE_LOG2),
-    .MEM_STALL_SEED(MEM_STALL_SEED)
+    .LINE_IDS_LOG2(LINE_IDS_LOG2), .MEM_STALL_SEED(MEM_STALL_SEED)
   ) u_plane (
     .clk_i, .rst_ni, .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),
     .update_operand_i(update_operand), .modify_entry_o(modify_entry), .modify_operand_o(modify_operand),
@@ -280,12 +267,11 @@ module gnomon_core #(
   );
 
   // ---- Line port: all caches in turn ----
-  core_line_port #(.CACHE_LOG2(CACHE_LOG2), .EN_SLB(EN_SLB), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY)) u_line_port (
+  core_line_port #(
+    .CACHE_LOG2(CACHE_LOG2), .LINE_IDS_LOG2(LINE_IDS_LOG2), .EN_SLB(EN_SLB), .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY)
+  ) u_line_port (
     .clk_i, .rst_ni, .plane_base_i, .plane_want_i(plane_want), .plane_give_o(plane_give), .slb_want_i(slb_want),
-    .slb_give_o(slb_give), .lists_want_i(lists_want), .lists_give_o(lists_give), .line_read_valid_o, .line_read_ready_i,
-    .line_read_address_o, .line_read_id_o, .line_data_valid_i, .line_data_ready_o, .line_data_id_i, .line_data_data_i,
-    .line_write_valid_o, .line_write_ready_i, .line_write_address_o, .line_write_id_o, .line_write_data_o,
-    .line_write_strobe_o, .line_written_valid_i, .line_written_id_i
+    .slb_give_o(slb_give), .lists_want_i(lists_want), .lists_give_o(lists_give), .port_o(lines_o), .port_i(lines_i)
   );
 
   // ---- Results: a change of kind is a barrier, so that one source speaks at a time and command order is kept ----

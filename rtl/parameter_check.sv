@@ -27,7 +27,8 @@ module parameter_check #(
   parameter int unsigned SLB_DIVIDERS     = 2,
   parameter int unsigned MEM_LATENCY      = 1,
   parameter int unsigned MEM_STALL_SEED   = 0,
-  parameter int unsigned CACHE_LOG2       = 0
+  parameter int unsigned CACHE_LOG2       = 0,
+  parameter int unsigned LINE_IDS_LOG2    = 4
 );
 
   localparam int unsigned P = VOXEL_BITS + VOXEL_FRAC_BITS;
@@ -56,6 +57,8 @@ module parameter_check #(
     $error("MEM_STALL_SEED is out of range 0..65535");
   if (CACHE_LOG2 != 0 && (CACHE_LOG2 < 12 || CACHE_LOG2 > 16))
     $error("CACHE_LOG2 is out of range 12..16 (0: planes on chip)");
+  if (LINE_IDS_LOG2 < 3 || LINE_IDS_LOG2 > 5)
+    $error("LINE_IDS_LOG2 is out of range 3..5");
 
   if (EN_VPU_TOPOLOGY) begin : gen_topology
     if (SUB_BITS < 2 || SUB_BITS > 8)

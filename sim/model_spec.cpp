@@ -67,6 +67,8 @@ std::string describe(const ModelSpec& spec) {
   std::string text = describe(spec.config);
   if (spec.top == ModelTop::Bus)
     text += fmt::format(" CACHE_LOG2={} AXI_DATA_BITS={}", spec.cache_log2, spec.axi_data_bits);
+  if (spec.cache_log2 != 0 && spec.line_ids_log2 != 4)
+    text += fmt::format(" LINE_IDS_LOG2={}", spec.line_ids_log2);
   if (spec.memory_latency != 1) text += fmt::format(" MEM_LATENCY={}", spec.memory_latency);
   if (spec.memory_stall_seed != 0) text += fmt::format(" MEM_STALL_SEED={}", spec.memory_stall_seed);
   if (spec.config.en_slb && spec.slb_dividers != 2)
@@ -96,6 +98,7 @@ std::vector<std::string> verilator_arguments(const ModelSpec& spec) {
   if (spec.config.en_slb) arguments.push_back(fmt::format("-GSLB_DIVIDERS={}", spec.slb_dividers));
   if (spec.top == ModelTop::Bus) {
     arguments.push_back(fmt::format("-GCACHE_LOG2={}", spec.cache_log2));
+    if (spec.cache_log2 != 0) arguments.push_back(fmt::format("-GLINE_IDS_LOG2={}", spec.line_ids_log2));
     arguments.push_back(fmt::format("-GAXI_DATA_BITS={}", spec.axi_data_bits));
   }
   for (const std::string& define : spec.defines) arguments.push_back("+define+" + define);

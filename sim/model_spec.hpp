@@ -32,6 +32,7 @@ struct ModelSpec {
   int memory_stall_seed = 0;  ///< MEM_STALL_SEED, 0..65535: other than 0, the plane's ports stall at random
   int slb_dividers = 2;       ///< SLB_DIVIDERS, 1..3: quotients a cycle; only with EN_SLB
   int cache_log2 = 0;         ///< CACHE_LOG2, 0 or 12..16: bytes of each unit's cache; only with the bus
+  int line_ids_log2 = 4;      ///< LINE_IDS_LOG2, 3..5: of lines under way each way; only with a cache
   int axi_data_bits = 64;     ///< AXI_DATA_BITS, 64..512; only with the bus
   std::vector<std::string> defines{};  ///< preprocessor names, e.g. a GNOMON_MUTATE_* fault
 

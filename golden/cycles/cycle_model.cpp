@@ -77,7 +77,8 @@ CycleModel::CycleModel(const HardwareConfig& config, const HardwareTiming& timin
   if (config.en_frame_buffer) look_up_.emplace(timing);
   if (timing.system) ports_.emplace(config, *timing.system);
   if (timing.system && timing.system->cache_log2 != 0)
-    ports_->caches().emplace_back(timing.system->cache_log2, plane_lines_log2(), 0);
+    ports_->caches().emplace_back(timing.system->cache_log2, plane_lines_log2(), 0,
+                                  timing.system->line_ids_log2);
   reset_scrub();
   if (ports_) ports_->commands().expect(timing.system->job_words);
 }

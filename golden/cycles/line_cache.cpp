@@ -19,11 +19,13 @@ std::size_t sets(int size_log2, int lines_log2) {
 
 }  // namespace
 
-CacheClock::CacheClock(int size_log2, int lines_log2, std::uint32_t first)
+CacheClock::CacheClock(int size_log2, int lines_log2, std::uint32_t first, int line_ids_log2)
     : sets_(sets(size_log2, lines_log2)),
       dirty_(2 * sets_.size()),
       touched_(std::size_t{1} << lines_log2),
-      first_line_(first) {}
+      first_line_(first),
+      fills_(std::size_t{2} << line_ids_log2),
+      victims_(std::size_t{4} << line_ids_log2) {}
 
 int CacheClock::way_of(std::uint32_t line) {
   const Set& set = set_of(line);
@@ -32,7 +34,7 @@ int CacheClock::way_of(std::uint32_t line) {
 
 /// Places for a line to come and for one to go; and the line must not itself be on its way out.
 bool CacheClock::room_for_miss(std::uint32_t line, Cycle now) const {
-  if (missed_ - used_ >= kFills || victims_[missed_ % kVictims].gone > now) return false;
+  if (missed_ - used_ >= fills_.size() || victims_[missed_ % victims_.size()].gone > now) return false;
   return std::ranges::none_of(victims_,
                               [&](const Victim& victim) { return victim.line == line && victim.gone > now; });
 }
@@ -62,9 +64,9 @@ void CacheClock::miss(const Request& request, Waiting& waiting, Cycle now) {
   Set& set = set_of(request.line);
   const bool second = set.lines[0] != kNoLine && (set.lines[1] == kNoLine || set.next == 1);
   const std::size_t way = second ? 1 : 0;
-  Victim& victim = victims_[missed_ % kVictims];
+  Victim& victim = victims_[missed_ % victims_.size()];
   victim = {set.lines.at(way), set.lines.at(way) == kNoLine ? 0 : kNever};
-  fills_[missed_ % kFills] = {request.line, now, kNever};
+  fills_[missed_ % fills_.size()] = {request.line, now, kNever};
   ++missed_;
   set.lines.at(way) = request.line;
   set.next = second ? 0 : 1;
@@ -74,7 +76,7 @@ void CacheClock::miss(const Request& request, Waiting& waiting, Cycle now) {
 bool CacheClock::ready(Cycle now) const {
   if (queue_.empty() || queue_.front().from > now) return false;
   const Waiting& first = queue_.front();
-  if (first.miss && (fills_[used_ % kFills].known > now || backs_used_ >= kBacks)) return false;
+  if (first.miss && (fills_[used_ % fills_.size()].known > now || backs_used_ >= kBacks)) return false;
   return !(first.request.beside && (wrote_ & 1U << kWriteStages) != 0);
 }
 
@@ -89,10 +91,10 @@ void CacheClock::serve(Cycle now) {
 
 /// Its victim goes if it was written since it came.
 void CacheClock::serve_miss(const Waiting& waiting, Cycle now) {
-  Victim& victim = victims_[used_ % kVictims];
+  Victim& victim = victims_[used_ % victims_.size()];
   ++backs_used_;
   if (victim.line != kNoLine && dirty_[waiting.slot] != 0) {
-    backs_.push_back({used_ % static_cast<std::uint32_t>(kVictims), victim.line, now + kBackStages});
+    backs_.push_back({used_ % static_cast<std::uint32_t>(victims_.size()), victim.line, now + kBackStages});
     touched_[victim.line] = 1;
     touches_ |= 1U;
   } else {
@@ -124,10 +126,10 @@ void CacheClock::end_cycle(Cycle now) {
   spares_ <<= 1U;
   touches_ <<= 1U;
   wrote_ <<= 1U;
-  Fill& fill = fills_[asked_ % kFills];
+  Fill& fill = fills_[asked_ % fills_.size()];
   if (asked_ == missed_ || fill.missed >= now || touches) return;
   if (touched_[fill.line] != 0)
-    fetches_.push_back({asked_ % static_cast<std::uint32_t>(kFills), fill.line, now + kTouchedStages});
+    fetches_.push_back({asked_ % static_cast<std::uint32_t>(fills_.size()), fill.line, now + kTouchedStages});
   else
     fill.known = now + kTouchedStages;
   ++asked_;

@@ -34,8 +34,9 @@ class CacheClock {
     bool first = false, beside = false;
   };
 
-  /// 2^size_log2 bytes over 2^lines_log2 lines, which are the memory's from line `first` on.
-  CacheClock(int size_log2, int lines_log2, std::uint32_t first);
+  /// 2^size_log2 bytes over 2^lines_log2 lines, which are the memory's from line `first` on; 2^line_ids_log2
+  /// of them can be under way each way.
+  CacheClock(int size_log2, int lines_log2, std::uint32_t first, int line_ids_log2);
 
   /// Looks up in this cycle.
   Taken look_up(const Request& request, Cycle now);
@@ -60,7 +61,7 @@ class CacheClock {
 
  private:
   static constexpr std::uint32_t kNoLine = 0xFFFFFFFF;
-  static constexpr std::size_t kFills = 16, kVictims = 32, kQueue = 256, kAhead = 4, kBacks = 4;
+  static constexpr std::size_t kQueue = 256, kAhead = 4, kBacks = 4;
   struct Set {
     std::array<std::uint32_t, 2> lines{kNoLine, kNoLine};
     std::uint8_t next = 0;
@@ -92,10 +93,10 @@ class CacheClock {
   std::vector<std::uint8_t> touched_;  ///< by line
   std::uint32_t first_line_;
   std::deque<Waiting> queue_;
-  std::size_t in_ram_ = 0, ahead_ = 0;  ///< of the queue
-  bool queued_ = false;                 ///< in this cycle
-  std::array<Fill, kFills> fills_;
-  std::array<Victim, kVictims> victims_;
+  std::size_t in_ram_ = 0, ahead_ = 0;               ///< of the queue
+  bool queued_ = false;                              ///< in this cycle
+  std::vector<Fill> fills_;                          ///< twice as many as can be under way
+  std::vector<Victim> victims_;                      ///< twice as many again
   std::uint32_t missed_ = 0, asked_ = 0, used_ = 0;  ///< misses so far: looked up, asked for, served
   std::deque<Wish> fetches_, backs_;
   std::size_t backs_used_ = 0;  ///< places of their queue, also those that may still be needed

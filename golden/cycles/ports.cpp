@@ -112,8 +112,10 @@ Ports::Ports(const HardwareConfig& config, const SystemTiming& timing)
       planes_(timing.dram_bytes - bytes_of_planes(config)),
       commands_(beat_bytes_ / static_cast<std::uint32_t>(kWordBytes)),
       results_(kSoftware + kSoftwareAccesses * timing.latency),
-      dram_(timing) {
-  whole_.fill(CacheClock::kNever);
+      dram_(timing),
+      whole_(std::size_t{1} << timing.line_ids_log2, CacheClock::kNever) {
+  fetches_.ids.resize(whole_.size());
+  backs_.ids.resize(whole_.size());
   for (const std::uint64_t place : {kJobTable, kCommandRing}) dram_.open(place);
 }
 
@@ -165,7 +167,7 @@ void Ports::reach_memory() {
   }
   if (writing_.at == now_)
     written_.push_back(
-        {writing_.user != kIds, writing_.user, dram_.access(now_, writing_.address, writing_.bytes)});
+        {writing_.user != kMostIds, writing_.user, dram_.access(now_, writing_.address, writing_.bytes)});
 }
 
 void Ports::start_read() {
@@ -195,7 +197,7 @@ bool Ports::start_write() {
     const std::uint64_t first = results_.first() % kResultWords;
     const std::uint64_t lanes = beat_bytes_ / kWordBytes;
     const std::uint64_t last = first + results_.words() - 1;
-    writing_ = {kResults + kWordBytes * first, kWordBytes * results_.words(), kIds,
+    writing_ = {kResults + kWordBytes * first, kWordBytes * results_.words(), kMostIds,
                 static_cast<std::uint32_t>(last / lanes - first / lanes + 1), 0};
   } else {
     const Line& next = backs_.skid.front();

@@ -102,7 +102,7 @@ class Ports {
   void cycle(bool takes, bool gives, bool quiet);
 
  private:
-  static constexpr std::uint32_t kIds = 8, kCommandUser = kIds;
+  static constexpr std::uint32_t kMostIds = 32, kCommandUser = kMostIds;
   static constexpr std::size_t kOverCommands = 0, kOverLines = 1;
   struct Read {
     std::uint32_t user = 0, beats = 0;
@@ -131,7 +131,7 @@ class Ports {
     Cycle from = 0;
   };
   struct Way {
-    std::array<Id, kIds> ids;
+    std::vector<Id> ids;
     std::deque<Line> skid;
     std::size_t turn = 0;
   };
@@ -158,8 +158,8 @@ class Ports {
   bool beat_ = false, last_beat_ = false;  ///< of commands, in this cycle
   Burst reading_, writing_;
   Way fetches_, backs_;
-  std::array<Cycle, kIds> whole_;  ///< lines that have come, from then on
-  Cycle handed_ = 0;               ///< the next one is handed over from then on
+  std::vector<Cycle> whole_;  ///< by id, lines that have come, from then on
+  Cycle handed_ = 0;          ///< the next one is handed over from then on
   Grant<2> read_grant_, write_grant_;
 };
 

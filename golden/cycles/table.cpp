@@ -13,6 +13,7 @@ constexpr std::array<const char*, kCauses> kCauseNames{"BUSY",        "INPUT_STA
                                                        "MEMORY_WAIT", "HAZARD",        "IDLE"};
 constexpr int kMostLatency = 64, kMostDividers = 3;
 constexpr int kLeastCacheLog2 = 12, kMostCacheLog2 = 16, kLeastAxiBits = 64, kMostAxiBits = 512;
+constexpr int kLeastLineIdsLog2 = 3, kMostLineIdsLog2 = 5;
 
 }  // namespace
 
@@ -34,6 +35,8 @@ bool predictable(const HardwareConfig& config, const HardwareTiming& timing) {
 std::optional<std::string> SystemTiming::check() const {
   if (cache_log2 != 0 && (cache_log2 < kLeastCacheLog2 || cache_log2 > kMostCacheLog2))
     return "CACHE_LOG2 = " + std::to_string(cache_log2) + " is neither 0 nor in 12..16";
+  if (line_ids_log2 < kLeastLineIdsLog2 || line_ids_log2 > kMostLineIdsLog2)
+    return "LINE_IDS_LOG2 = " + std::to_string(line_ids_log2) + " is not in 3..5";
   if (axi_data_bits < kLeastAxiBits || axi_data_bits > kMostAxiBits ||
       !std::has_single_bit(static_cast<unsigned>(axi_data_bits)))
     return "AXI_DATA_BITS = " + std::to_string(axi_data_bits) + " is none of 64, 128, 256, 512";

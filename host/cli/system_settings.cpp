@@ -27,6 +27,7 @@ sim::system::SystemOptions system_settings(const config::Settings& settings) {
   // The registry takes 0 and powers of two only.
   if (const std::uint32_t kib = integer("cache_kib"); kib > 0)
     options.cache_log2 = 10 + std::countr_zero(kib);
+  options.line_ids_log2 = std::countr_zero(integer("line_ids"));
   options.axi_data_bits = static_cast<int>(integer("axi_bits"));
   sim::system::SystemConfig& system = options.system;
   system.dram_bytes = std::uint64_t{integer("dram_mib")} << 20U;
@@ -43,9 +44,9 @@ sim::system::SystemOptions system_settings(const config::Settings& settings) {
 }
 
 bool gives_memory(const config::Settings& settings) {
-  constexpr std::array<std::string_view, 10> kKeys{
-      "cache_kib",      "axi_bits", "memory_latency", "bus_latency", "dram_banks",
-      "dram_row_bytes", "dram_rcd", "dram_rp",        "dram_cas",    "dram_width"};
+  constexpr std::array<std::string_view, 11> kKeys{
+      "cache_kib",      "line_ids", "axi_bits", "memory_latency", "bus_latency", "dram_banks",
+      "dram_row_bytes", "dram_rcd", "dram_rp",  "dram_cas",       "dram_width"};
   return std::ranges::any_of(kKeys,
                              [&](std::string_view key) { return settings.entry(key).origin != "default"; });
 }

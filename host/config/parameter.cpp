@@ -125,6 +125,8 @@ std::vector<Parameter> make_parameters() {
           "behind a front end in SystemC"),
       integer_of("cache_kib", 0, {"0", "4", "8", "16", "32", "64"}, "KiB",
                  "engine system: of each unit's cache, planes and lists in DRAM; 0: on chip"),
+      integer_of("line_ids", 16, {"8", "16", "32"}, "lines",
+                 "engine system: of the caches, that may be under way to DRAM, and as many from it"),
       integer_of("axi_bits", 64, {"64", "128", "256", "512"}, "bits",
                  "engine system: width of the hardware's way to memory"),
       integer("memory_latency", 20, 0, 10000, "cycles", "engine system: of DRAM's controller and wires"),

@@ -14,6 +14,7 @@ inline golden::HardwareTiming cycle_timing(const sim::system::SystemOptions& opt
   return {.memory_latency = options.rtl.memory_latency,
           .slb_dividers = options.rtl.slb_dividers,
           .system = golden::SystemTiming{.cache_log2 = options.cache_log2,
+                                         .line_ids_log2 = options.line_ids_log2,
                                          .axi_data_bits = options.axi_data_bits,
                                          .bus_latency = options.system.bus_latency,
                                          .latency = dram.latency,

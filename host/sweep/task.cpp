@@ -16,7 +16,7 @@ namespace gnomon::sweep {
 namespace {
 
 /// What is not named here is taken for shared, so that a new parameter costs time at worst.
-constexpr std::array<std::string_view, 43> kOfTechnique{"technique",
+constexpr std::array<std::string_view, 44> kOfTechnique{"technique",
                                                         "plane",
                                                         "pitch",
                                                         "offset",
@@ -48,6 +48,7 @@ constexpr std::array<std::string_view, 43> kOfTechnique{"technique",
                                                         "ray_sag",
                                                         "system_hardware",
                                                         "cache_kib",
+                                                        "line_ids",
                                                         "axi_bits",
                                                         "memory_latency",
                                                         "bus_latency",

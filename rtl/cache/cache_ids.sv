@@ -4,21 +4,21 @@
 `include "assertions.svh"
 
 module cache_ids #(
-  parameter int unsigned WIDTH = 4
+  parameter int unsigned WIDTH   = 4,
+  parameter int unsigned ID_BITS = 3
 ) (
-  input  logic                           clk_i,
-  input  logic                           rst_ni,
-  input  logic                           take_i,      // only while one is free
-  input  logic [WIDTH-1:0]               data_i,      // to be remembered
-  output logic                           free_o,
-  output logic [cache_pkg::IDS_LOG2-1:0] id_o,        // the next one
-  input  logic                           back_i,      // an id comes back
-  input  logic [cache_pkg::IDS_LOG2-1:0] back_id_i,
-  output logic [WIDTH-1:0]               back_data_o
+  input  logic               clk_i,
+  input  logic               rst_ni,
+  input  logic               take_i,  // only while one is free
+  input  logic [WIDTH-1:0]   data_i,  // to be remembered
+  output logic               free_o,
+  output logic [ID_BITS-1:0] id_o,    // the next one
+  input  logic               back_i,  // an id comes back
+  input  logic [ID_BITS-1:0] back_id_i,
+  output logic [WIDTH-1:0]   back_data_o
 );
 
-  localparam int unsigned ID    = cache_pkg::IDS_LOG2;
-  localparam int unsigned COUNT = 1 << ID;
+  localparam int unsigned COUNT = 1 << ID_BITS;
 
   logic [COUNT-1:0] busy_q;
   logic [WIDTH-1:0] data_q [COUNT];
@@ -27,7 +27,7 @@ module cache_ids #(
   always_comb begin
     id_o = '0;
     for (int i = COUNT - 1; i >= 0; i--) begin
-      if (!busy_q[i]) id_o = ID'(i);
+      if (!busy_q[i]) id_o = ID_BITS'(i);
     end
   end
   always_ff @(posedge clk_i) begin

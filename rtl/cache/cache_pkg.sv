@@ -7,11 +7,13 @@ package cache_pkg;
   localparam int unsigned LINE         = 512;  // bits of a line
   localparam int unsigned BANK         = 32;
   localparam int unsigned BANKS        = LINE / BANK;
-  localparam int unsigned FILLS_LOG2   = 4;    // lines that are to come
-  localparam int unsigned VICTIMS_LOG2 = 5;    // lines on their way out that it remembers
   localparam int unsigned QUEUE_LOG2   = 8;    // requests looked up and not yet served
-  localparam int unsigned IDS_LOG2     = 3;    // of the line port, each way
   localparam int unsigned NUMBER       = 27;   // of a line, counted from where planes and lists begin
+
+  // A build has 2^LINE_IDS_LOG2 ids each way. These are the widths with most of them; upper bits that are not used are 0.
+  localparam int unsigned LINE_ID   = 5;            // of the line port
+  localparam int unsigned FILL_ID   = LINE_ID + 1;  // of lines that are to come
+  localparam int unsigned VICTIM_ID = LINE_ID + 2;  // of lines on their way out
 
   // Memories that may lie behind a cache, in their order in memory and among the counters.
   localparam int unsigned MEMORIES        = 6;
@@ -24,33 +26,53 @@ package cache_pkg;
   localparam int unsigned EVENTS          = 6;  // of each
   localparam logic [6:0]  COUNTER_NUMBER  = 7'd8;  // of the first counter, in the upper half of the indices
 
+  // The line port: what goes out to memory, and what comes in. Lines that come and answers of writes are always taken.
+  typedef struct packed {
+    logic               read_valid;
+    logic [57:0]        read_line;     // address / 64
+    logic [LINE_ID-1:0] read_id;
+    logic               write_valid;
+    logic [57:0]        write_line;
+    logic [LINE_ID-1:0] write_id;
+    logic [LINE-1:0]    write_data;
+  } port_want_t;
+  typedef struct packed {
+    logic               read_ready;
+    logic               write_ready;
+    logic               data_valid;
+    logic [LINE_ID-1:0] data_id;
+    logic               written_valid;
+    logic [LINE_ID-1:0] written_id;
+    logic [LINE-1:0]    data;
+  } port_give_t;
+
   // What a cache wants of the line port. The line last, where its words are aligned.
   typedef struct packed {
-    logic                    read_valid;
-    logic [FILLS_LOG2-1:0]   read_id;
-    logic [NUMBER-1:0]       read_line;
-    logic                    write_valid;
-    logic [VICTIMS_LOG2-1:0] write_id;
-    logic [NUMBER-1:0]       write_line;
-    logic [LINE-1:0]         write_data;
+    logic                 read_valid;
+    logic [FILL_ID-1:0]   read_id;
+    logic [NUMBER-1:0]    read_line;
+    logic                 write_valid;
+    logic [VICTIM_ID-1:0] write_id;
+    logic [NUMBER-1:0]    write_line;
+    logic [LINE-1:0]      write_data;
   } want_t;
 
-  // What the line port gives a cache. Lines that come and answers of writes are always taken.
+  // What the line port gives a cache.
   typedef struct packed {
-    logic                    read_ready;
-    logic                    write_ready;
-    logic                    data_valid;
-    logic [FILLS_LOG2-1:0]   data_id;
-    logic                    written_valid;
-    logic [VICTIMS_LOG2-1:0] written_id;
-    logic [LINE-1:0]         data;
+    logic                 read_ready;
+    logic                 write_ready;
+    logic                 data_valid;
+    logic [FILL_ID-1:0]   data_id;
+    logic                 written_valid;
+    logic [VICTIM_ID-1:0] written_id;
+    logic [LINE-1:0]      data;
   } give_t;
 
   // Bits of both: Yosys does not know $bits of a type in a package.
-  localparam int unsigned WANT = 2 + FILLS_LOG2 + VICTIMS_LOG2 + 2 * NUMBER + LINE;
+  localparam int unsigned WANT = 2 + FILL_ID + VICTIM_ID + 2 * NUMBER + LINE;
   localparam int unsigned WANT_READ  = WANT - 1;                        // where its valid bits are
-  localparam int unsigned WANT_WRITE = VICTIMS_LOG2 + NUMBER + LINE;
-  localparam int unsigned GIVE = 4 + FILLS_LOG2 + VICTIMS_LOG2 + LINE;
+  localparam int unsigned WANT_WRITE = VICTIM_ID + NUMBER + LINE;
+  localparam int unsigned GIVE = 4 + FILL_ID + VICTIM_ID + LINE;
 
   // Events, each at most one a cycle, in the order of the counters.
   typedef struct packed {

@@ -5,38 +5,38 @@
 `include "assertions.svh"
 
 module cache_victims #(
-  parameter int unsigned LINE_BITS = 14
+  parameter int unsigned LINE_BITS = 14,
+  parameter int unsigned ID_BITS   = 5   // 2^ID_BITS are remembered
 ) (
-  input  logic                               clk_i,
-  input  logic                               rst_ni,
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
   // A miss takes over a slot.
-  input  logic                               add_i,          // only with room
-  input  logic                               add_victim_i,   // the slot holds a line
-  input  logic [LINE_BITS-1:0]               add_line_i,
-  output logic                               room_o,
+  input  logic                 add_i,         // only with room
+  input  logic                 add_victim_i,  // the slot holds a line
+  input  logic [LINE_BITS-1:0] add_line_i,
+  output logic                 room_o,
   // Is this line on its way out? Combinational.
-  input  logic [LINE_BITS-1:0]               line_i,
-  output logic                               leaving_o,
+  input  logic [LINE_BITS-1:0] line_i,
+  output logic                 leaving_o,
   // The oldest miss not yet served: its victim, if it has one.
-  output logic                               victim_o,
-  output logic [LINE_BITS-1:0]               victim_line_o,
-  output logic [cache_pkg::VICTIMS_LOG2-1:0] victim_id_o,
-  input  logic                               serve_i,        // it is served now
-  input  logic                               write_i,        // ... and its victim has to be written
+  output logic                 victim_o,
+  output logic [LINE_BITS-1:0] victim_line_o,
+  output logic [ID_BITS-1:0]   victim_id_o,
+  input  logic                 serve_i,       // it is served now
+  input  logic                 write_i,       // ... and its victim has to be written
   // Written.
-  input  logic                               written_valid_i,
-  input  logic [cache_pkg::VICTIMS_LOG2-1:0] written_id_i,
-  output logic                               none_o
+  input  logic                 written_valid_i,
+  input  logic [ID_BITS-1:0]   written_id_i,
+  output logic                 none_o
 );
 
-  localparam int unsigned ID    = cache_pkg::VICTIMS_LOG2;
-  localparam int unsigned COUNT = 1 << ID;
+  localparam int unsigned COUNT = 1 << ID_BITS;
 
   logic [COUNT-1:0]           leaving_q;
   logic [COUNT*LINE_BITS-1:0] lines_q;
-  logic [ID-1:0]              new_q, serve_q;
+  logic [ID_BITS-1:0]         new_q, serve_q;
   logic                       written_valid_q;  // a cycle later, so that the line's bit is sure to say that it was touched
-  logic [ID-1:0]              written_id_q;
+  logic [ID_BITS-1:0]         written_id_q;
 
   // Fewer misses than there are places are not yet served, so that a place is used again only when it is known what became
   // of its victim.
@@ -50,7 +50,7 @@ module cache_victims #(
   for (genvar i = 0; i < COUNT; i++) begin : gen_lines
     assign same[i] = leaving_q[i] && lines_q[i*LINE_BITS+:LINE_BITS] == line_i;
     always_ff @(posedge clk_i) begin
-      if (add_i && new_q == ID'(i)) lines_q[i*LINE_BITS+:LINE_BITS] <= add_line_i;
+      if (add_i && new_q == ID_BITS'(i)) lines_q[i*LINE_BITS+:LINE_BITS] <= add_line_i;
     end
   end
   assign leaving_o = same != '0 && !mutations_pkg::CACHE_FETCH_EARLY;

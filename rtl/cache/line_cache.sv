@@ -5,11 +5,12 @@
 `include "assertions.svh"
 
 module line_cache #(
-  parameter int unsigned LINE_BITS  = 14,  // 2^LINE_BITS lines
-  parameter int unsigned SIZE_LOG2  = 15,  // bytes
-  parameter int unsigned FIRST_LINE = 0,   // number of the first line in memory
-  parameter int unsigned X_BITS     = 64,
-  parameter int unsigned Y_BITS     = 1
+  parameter int unsigned LINE_BITS     = 14,  // 2^LINE_BITS lines
+  parameter int unsigned SIZE_LOG2     = 15,  // bytes
+  parameter int unsigned FIRST_LINE    = 0,   // number of the first line in memory
+  parameter int unsigned LINE_IDS_LOG2 = 4,
+  parameter int unsigned X_BITS        = 64,
+  parameter int unsigned Y_BITS        = 1
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -49,8 +50,8 @@ module line_cache #(
 
   localparam int unsigned SETS_LOG2 = cache_pkg::sets_log2(SIZE_LOG2, LINE_BITS);
   localparam int unsigned SLOT_BITS = SETS_LOG2 + 1;
-  localparam int unsigned FILL      = cache_pkg::FILLS_LOG2;
-  localparam int unsigned VICTIM    = cache_pkg::VICTIMS_LOG2;
+  localparam int unsigned FILL      = LINE_IDS_LOG2 + 1;  // more lines are to come than can be under way
+  localparam int unsigned VICTIM    = LINE_IDS_LOG2 + 2;  // and more on their way out than are to come
   localparam int unsigned NUMBER    = cache_pkg::NUMBER;
   localparam int unsigned LINE      = cache_pkg::LINE;
 
@@ -87,18 +88,19 @@ module line_cache #(
   // ---- Fills ----
   logic             ask_valid, ask_ready, told_valid, told_present, known, writing, back_room;
   logic [LINE_BITS-1:0] ask_line, read_line;
-  logic [FILL-1:0]  ask_id, told_id;
+  logic [FILL-1:0]  ask_id, told_id, read_id;
   logic [4:0]       told_bit;
   logic [31:0]      told_word;
   logic [LINE-1:0]  fill_line;
-  cache_fills #(.LINE_BITS(LINE_BITS)) u_fills (
+  cache_fills #(.LINE_BITS(LINE_BITS), .ID_BITS(FILL)) u_fills (
     .clk_i, .rst_ni, .miss_i(miss_take), .miss_line_i(x_line_i), .room_o(fills_room), .ask_valid_o(ask_valid),
     .ask_ready_i(ask_ready), .ask_line_o(ask_line), .ask_id_o(ask_id), .told_valid_i(told_valid),
     .told_id_i(told_id), .told_touched_i(told_present && told_word[told_bit]), .read_valid_o(want_o.read_valid),
-    .read_ready_i(give_i.read_ready), .read_line_o(read_line), .read_id_o(want_o.read_id),
-    .data_valid_i(give_i.data_valid), .data_id_i(give_i.data_id), .data_i(give_i.data), .known_o(known),
+    .read_ready_i(give_i.read_ready), .read_line_o(read_line), .read_id_o(read_id),
+    .data_valid_i(give_i.data_valid), .data_id_i(FILL'(give_i.data_id)), .data_i(give_i.data), .known_o(known),
     .use_i(serve_i && first_miss), .line_o(fill_line)
   );
+  assign want_o.read_id   = cache_pkg::FILL_ID'(read_id);
   assign want_o.read_line = NUMBER'(FIRST_LINE) + NUMBER'(read_line);
 
   // ---- A request is served ----
@@ -120,21 +122,22 @@ module line_cache #(
   // ---- Victims and their way to memory ----
   logic                 victim, no_victims;
   logic [LINE_BITS-1:0] victim_line, back_line;
-  logic [VICTIM-1:0]    victim_id;
+  logic [VICTIM-1:0]    victim_id, back_id;
   assign back = hand_miss && victim && victim_dirty && !mutations_pkg::CACHE_LOSE_WRITE_BACK;
-  cache_victims #(.LINE_BITS(LINE_BITS)) u_victims (
+  cache_victims #(.LINE_BITS(LINE_BITS), .ID_BITS(VICTIM)) u_victims (
     .clk_i, .rst_ni, .add_i(miss_take), .add_victim_i(victim_there), .add_line_i(victim_there_line),
     .room_o(victims_room), .line_i(x_line_i), .leaving_o(leaving), .victim_o(victim), .victim_line_o(victim_line),
     .victim_id_o(victim_id), .serve_i(hand_miss), .write_i(back), .written_valid_i(give_i.written_valid),
-    .written_id_i(give_i.written_id), .none_o(no_victims)
+    .written_id_i(VICTIM'(give_i.written_id)), .none_o(no_victims)
   );
 
   localparam int unsigned BACK_LOG2 = 2;
   stream_fifo #(.WIDTH(VICTIM + LINE_BITS + LINE), .DEPTH_LOG2(BACK_LOG2)) u_back (
     .clk_i, .rst_ni, .valid_i(back), .ready_o(back_queued), .data_i({victim_id, victim_line, victim_data}),
     .valid_o(want_o.write_valid), .ready_i(give_i.write_ready),
-    .data_o({want_o.write_id, back_line, want_o.write_data})
+    .data_o({back_id, back_line, want_o.write_data})
   );
+  assign want_o.write_id   = cache_pkg::VICTIM_ID'(back_id);
   assign want_o.write_line = NUMBER'(FIRST_LINE) + NUMBER'(back_line);
 
   // Places in that queue, also those that a miss may still need.

@@ -5,14 +5,15 @@
 `include "assertions.svh"
 
 module memory_cache #(
-  parameter int unsigned LINE_BITS    = 15,
-  parameter int unsigned PLACE_LOG2   = 3,    // 2^PLACE_LOG2 entries a line
-  parameter int unsigned ENTRY_BITS   = 42,
-  parameter int unsigned OPERAND_BITS = 59,
-  parameter int unsigned TAG_BITS     = 49,
-  parameter int unsigned SIZE_LOG2    = 14,
-  parameter int unsigned FIRST_LINE   = 0,
-  parameter int unsigned STALL_SEED   = 0
+  parameter int unsigned LINE_BITS     = 15,
+  parameter int unsigned PLACE_LOG2    = 3,    // 2^PLACE_LOG2 entries a line
+  parameter int unsigned ENTRY_BITS    = 42,
+  parameter int unsigned OPERAND_BITS  = 59,
+  parameter int unsigned TAG_BITS      = 49,
+  parameter int unsigned SIZE_LOG2     = 14,
+  parameter int unsigned FIRST_LINE    = 0,
+  parameter int unsigned LINE_IDS_LOG2 = 4,
+  parameter int unsigned STALL_SEED    = 0
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -89,7 +90,9 @@ module memory_cache #(
   assign unused_y       = ^{y_ready, first_y, hand_y, y_info, y_line};
   assign update_granted = ready && !clear_q;
   assign read_granted   = ready && !clear_q && !update_gated;
-  line_cache #(.LINE_BITS(LINE_BITS), .SIZE_LOG2(SIZE_LOG2), .FIRST_LINE(FIRST_LINE), .X_BITS(INFO)) u_cache (
+  line_cache #(
+    .LINE_BITS(LINE_BITS), .SIZE_LOG2(SIZE_LOG2), .FIRST_LINE(FIRST_LINE), .LINE_IDS_LOG2(LINE_IDS_LOG2), .X_BITS(INFO)
+  ) u_cache (
     .clk_i, .rst_ni, .x_valid_i((update_gated || read_gated) && !clear_q), .x_ready_o(ready), .x_use_i(1'b1),
     .x_line_i(update_gated ? update_line_i : read_line_i),
     .x_info_i(update_gated ? {1'b0, update_place_i, PAYLOAD'(update_operand_i)} :

@@ -5,12 +5,13 @@
 `include "assertions.svh"
 
 module plane_cache #(
-  parameter int unsigned INDEX_BITS   = 18,
-  parameter int unsigned OPERAND_BITS = 24,
-  parameter int unsigned TAG0_BITS    = 24,
-  parameter int unsigned TAG1_BITS    = 24,
-  parameter int unsigned SIZE_LOG2    = 15,
-  parameter int unsigned FIRST_LINE   = 0
+  parameter int unsigned INDEX_BITS    = 18,
+  parameter int unsigned OPERAND_BITS  = 24,
+  parameter int unsigned TAG0_BITS     = 24,
+  parameter int unsigned TAG1_BITS     = 24,
+  parameter int unsigned SIZE_LOG2     = 15,
+  parameter int unsigned FIRST_LINE    = 0,
+  parameter int unsigned LINE_IDS_LOG2 = 4
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
@@ -113,8 +114,8 @@ module plane_cache #(
   logic [cache_pkg::LINE-1:0]  x_line_data, y_line_data;
   logic [cache_pkg::BANKS-1:0] write;
   line_cache #(
-    .LINE_BITS(LINE_BITS), .SIZE_LOG2(SIZE_LOG2), .FIRST_LINE(FIRST_LINE), .X_BITS(2 + PLACE + PAYLOAD),
-    .Y_BITS(PLACE + TAG1_BITS)
+    .LINE_BITS(LINE_BITS), .SIZE_LOG2(SIZE_LOG2), .FIRST_LINE(FIRST_LINE), .LINE_IDS_LOG2(LINE_IDS_LOG2),
+    .X_BITS(2 + PLACE + PAYLOAD), .Y_BITS(PLACE + TAG1_BITS)
   ) u_cache (
     .clk_i, .rst_ni, .x_valid_i(update_valid_i || read0_valid_i || read1_valid_i), .x_ready_o(x_ready),
     .x_use_i(1'b1), .x_line_i(x_line), .x_info_i({x_kind, x_place, x_payload}), .y_valid_i(y_valid),

@@ -19,6 +19,7 @@ module slb_plane_cache #(
   parameter int unsigned TAG_BITS        = 64,
   parameter int unsigned SIZE_LOG2       = 15,   // bytes: half for lanes, a quarter for fragments
   parameter int unsigned FIRST_LINE      = 0,
+  parameter int unsigned LINE_IDS_LOG2   = 4,
   // Derived; not to be overridden.
   parameter int unsigned ENTRY = slb_pkg::entry_bits(FRAC_BITS, SLOPE_BITS, FRAGS_PER_PIXEL, DEPTH_BITS),
   parameter int unsigned WORD  = ENTRY + FRAGS_PER_PIXEL + 2,  // {covered, rim, centre, entry}
@@ -185,7 +186,8 @@ module slb_plane_cache #(
     fragments_y_info, fragments_y_line, fragments_first_info, fragments_info, fragments_hand
   };
   line_cache #(
-    .LINE_BITS(LINE_BITS), .SIZE_LOG2(LANES_SIZE), .FIRST_LINE(FIRST_LINE), .X_BITS(2 + INDEX_BITS + PAYLOAD)
+    .LINE_BITS(LINE_BITS), .SIZE_LOG2(LANES_SIZE), .FIRST_LINE(FIRST_LINE), .LINE_IDS_LOG2(LINE_IDS_LOG2),
+    .X_BITS(2 + INDEX_BITS + PAYLOAD)
   ) u_lanes (
     .clk_i, .rst_ni, .x_valid_i(held_q && fragments_ready), .x_ready_o(lanes_ready), .x_use_i(1'b1), .x_line_i(line),
     .x_info_i({held_use, held_read_q, held_index_q, held_payload_q}), .y_valid_i(1'b0),
@@ -196,7 +198,8 @@ module slb_plane_cache #(
     .idle_o(lanes_idle), .want_o(lanes_want), .give_i(lanes_give), .events_o(lanes_events)
   );
   line_cache #(
-    .LINE_BITS(FRAG_LINE_BITS), .SIZE_LOG2(FRAGMENTS_SIZE), .FIRST_LINE(FIRST_FRAGMENT), .X_BITS(1)
+    .LINE_BITS(FRAG_LINE_BITS), .SIZE_LOG2(FRAGMENTS_SIZE), .FIRST_LINE(FIRST_FRAGMENT), .LINE_IDS_LOG2(LINE_IDS_LOG2),
+    .X_BITS(1)
   ) u_fragments (
     .clk_i, .rst_ni, .x_valid_i(held_q && lanes_ready), .x_ready_o(fragments_ready), .x_use_i(held_use),
     .x_line_i(fragments_number), .x_info_i(1'b0), .y_valid_i(1'b0), .y_ready_o(fragments_y_ready),

@@ -3,18 +3,19 @@
 // the order of their numbers. Ports as those of the memories on chip.
 
 module topology_caches #(
-  parameter int unsigned INDEX_BITS = 18,
-  parameter int unsigned NODES_LOG2 = 20,
-  parameter int unsigned QUADS_LOG2 = 18,
-  parameter int unsigned HEAD       = 42,
-  parameter int unsigned NODE       = 59,
-  parameter int unsigned RECORD     = 72,
-  parameter int unsigned HEAD_TAG   = 49,
-  parameter int unsigned NODE_TAG   = 32,
-  parameter int unsigned RECORD_TAG = 71,
-  parameter int unsigned SIZE_LOG2  = 15,  // bytes: half for heads, a quarter for nodes and for records
-  parameter int unsigned FIRST_LINE = 0,
-  parameter int unsigned STALL_SEED = 0
+  parameter int unsigned INDEX_BITS    = 18,
+  parameter int unsigned NODES_LOG2    = 20,
+  parameter int unsigned QUADS_LOG2    = 18,
+  parameter int unsigned HEAD          = 42,
+  parameter int unsigned NODE          = 59,
+  parameter int unsigned RECORD        = 72,
+  parameter int unsigned HEAD_TAG      = 49,
+  parameter int unsigned NODE_TAG      = 32,
+  parameter int unsigned RECORD_TAG    = 71,
+  parameter int unsigned SIZE_LOG2     = 15,  // bytes: half for heads, a quarter for nodes and for records
+  parameter int unsigned FIRST_LINE    = 0,
+  parameter int unsigned LINE_IDS_LOG2 = 4,
+  parameter int unsigned STALL_SEED    = 0
 ) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
@@ -102,7 +103,7 @@ module topology_caches #(
   end
   memory_cache #(
     .LINE_BITS(HEAD_LINES), .PLACE_LOG2(HEAD_PLACE), .ENTRY_BITS(HEAD), .OPERAND_BITS(NODE), .TAG_BITS(HEAD_TAG),
-    .SIZE_LOG2(SIZE_LOG2 - 1), .FIRST_LINE(FIRST_LINE), .STALL_SEED(STALL_SEED)
+    .SIZE_LOG2(SIZE_LOG2 - 1), .FIRST_LINE(FIRST_LINE), .LINE_IDS_LOG2(LINE_IDS_LOG2), .STALL_SEED(STALL_SEED)
   ) u_heads (
     .clk_i, .rst_ni, .update_valid_i, .update_ready_o, .update_line_i(update_place[INDEX_BITS-1:HEAD_PLACE]),
     .update_place_i(update_place[HEAD_PLACE-1:0]), .update_operand_i, .modify_valid_o, .modify_present_o,
@@ -120,7 +121,8 @@ module topology_caches #(
   assign unused_state = ^{node_put, node_there, node_here, node_old, record_put, record_there, record_here, record_old};
   memory_cache #(
     .LINE_BITS(NODE_LINES), .PLACE_LOG2(NODE_PLACE), .ENTRY_BITS(NODE), .OPERAND_BITS(NODE), .TAG_BITS(NODE_TAG),
-    .SIZE_LOG2(SIZE_LOG2 - 2), .FIRST_LINE(FIRST_NODE), .STALL_SEED((STALL_SEED == 0) ? 0 : STALL_SEED ^ 32'h1A53)
+    .SIZE_LOG2(SIZE_LOG2 - 2), .FIRST_LINE(FIRST_NODE), .LINE_IDS_LOG2(LINE_IDS_LOG2),
+    .STALL_SEED((STALL_SEED == 0) ? 0 : STALL_SEED ^ 32'h1A53)
   ) u_nodes (
     .clk_i, .rst_ni, .update_valid_i(node_write_i), .update_ready_o(node_written_o),
     .update_line_i(NODE_LINES'(node_write_index_i >> NODE_PLACE)),
@@ -134,7 +136,7 @@ module topology_caches #(
   );
   memory_cache #(
     .LINE_BITS(RECORD_LINES), .PLACE_LOG2(RECORD_PLACE), .ENTRY_BITS(RECORD), .OPERAND_BITS(RECORD),
-    .TAG_BITS(RECORD_TAG), .SIZE_LOG2(SIZE_LOG2 - 2), .FIRST_LINE(FIRST_RECORD),
+    .TAG_BITS(RECORD_TAG), .SIZE_LOG2(SIZE_LOG2 - 2), .FIRST_LINE(FIRST_RECORD), .LINE_IDS_LOG2(LINE_IDS_LOG2),
     .STALL_SEED((STALL_SEED == 0) ? 0 : STALL_SEED ^ 32'h3D7A)
   ) u_records (
     .clk_i, .rst_ni, .update_valid_i(record_write_i), .update_ready_o(record_written_o),

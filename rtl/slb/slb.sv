@@ -17,6 +17,7 @@ module slb #(
   parameter int unsigned MEM_LATENCY     = 1,
   parameter int unsigned MEM_STALL_SEED  = 0,
   parameter int unsigned CACHE_LOG2      = 0,  // not 0: entries in memory, behind caches (docs/cache.md)
+  parameter int unsigned LINE_IDS_LOG2   = 4,
   parameter int unsigned FIRST_LINE      = 0   // there
 ) (
   input  logic                    clk_i,
@@ -104,7 +105,8 @@ module slb #(
   slb_backend #(
     .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL), .DEPTH_BITS(D),
     .PLANE_LOG2(PLANE_LOG2), .QUERY_BITS(QUERY_BITS), .ROUNDING(ROUNDING), .MEM_LATENCY(MEM_LATENCY),
-    .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .FIRST_LINE(FIRST_LINE)
+    .MEM_STALL_SEED(MEM_STALL_SEED), .CACHE_LOG2(CACHE_LOG2), .LINE_IDS_LOG2(LINE_IDS_LOG2),
+    .FIRST_LINE(FIRST_LINE)
   ) u_backend (
     .clk_i, .rst_ni, .start_i, .header_i(header), .object_i(object_q), .flat_i(flat_q), .flat_depth_i(flat_depth_q),
     .cover_valid_i(item_valid_i && op_q == gnomon_pkg::OP_COVER), .cover_ready_o(cover_ready),

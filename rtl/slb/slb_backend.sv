@@ -15,6 +15,7 @@ module slb_backend #(
   parameter int unsigned MEM_LATENCY     = 1,
   parameter int unsigned MEM_STALL_SEED  = 0,
   parameter int unsigned CACHE_LOG2      = 0,  // not 0: entries in memory, behind caches (docs/cache.md)
+  parameter int unsigned LINE_IDS_LOG2   = 4,
   parameter int unsigned FIRST_LINE      = 0,  // there
   // Derived; not to be overridden.
   parameter int unsigned LINE      = slb_pkg::line_bits(FRAC_BITS, SLOPE_BITS),
@@ -273,14 +274,14 @@ module slb_backend #(
       .clear_i(clear_start), .scrubbing_o(scrubbing), .scrub_line_o(scrub_line), .idle_o(plane_idle)
     );
     logic unused_give;
-    assign unused_give    = (^cache_give_i) ^ (FIRST_LINE == 0);
+    assign unused_give    = (^cache_give_i) ^ (FIRST_LINE + LINE_IDS_LOG2 == 0);
     assign cache_want_o   = '0;
     assign cache_events_o = '0;
   end else begin : gen_cached
     slb_plane_cache #(
       .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(K), .DEPTH_BITS(D), .INDEX_BITS(INDEX),
       .SLOT_BITS(SLOT), .SPAN_BITS(SPAN), .OPERAND_BITS(OPERAND), .TAG_BITS(TAG), .SIZE_LOG2(CACHE_LOG2),
-      .FIRST_LINE(FIRST_LINE)
+      .FIRST_LINE(FIRST_LINE), .LINE_IDS_LOG2(LINE_IDS_LOG2)
     ) u_plane (
       .clk_i, .rst_ni, .update_valid_i(update_gated), .update_ready_o(update_granted), .update_index_i(update_index), .update_operand_i(update_operand), .modify_valid_o(modify_valid),
       .modify_word_o(modify_word), .modify_operand_o(modify_operand), .modify_write_i(modify_write),

@@ -5,20 +5,21 @@
 `include "assertions.svh"
 
 module axi_checks #(
-  parameter int unsigned AXI_DATA_BITS = 64
+  parameter int unsigned AXI_DATA_BITS = 64,
+  parameter int unsigned ID_BITS       = 6
 ) (
   input logic                       clk_i,
   input logic                       rst_ni,
   input logic                       arvalid_i,
   input logic                       arready_i,
-  input logic [4:0]                 arid_i,
+  input logic [ID_BITS-1:0]         arid_i,
   input logic [63:0]                araddr_i,
   input logic [7:0]                 arlen_i,
   input logic [2:0]                 arsize_i,
   input logic [1:0]                 arburst_i,
   input logic                       awvalid_i,
   input logic                       awready_i,
-  input logic [4:0]                 awid_i,
+  input logic [ID_BITS-1:0]         awid_i,
   input logic [63:0]                awaddr_i,
   input logic [7:0]                 awlen_i,
   input logic [2:0]                 awsize_i,

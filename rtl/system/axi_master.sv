@@ -3,7 +3,10 @@
 
 module axi_master #(
   parameter int unsigned AXI_DATA_BITS = 64,
-  parameter bit          EN_LINES      = 1'b0   // the cache's line port is used
+  parameter bit          EN_LINES      = 1'b0,  // the cache's line port is used
+  parameter int unsigned LINE_IDS_LOG2 = 4,
+  // Derived; not to be overridden.
+  parameter int unsigned ID_BITS       = LINE_IDS_LOG2 + 2
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
@@ -49,39 +52,25 @@ module axi_master #(
   output logic                       completion_written_o,
   input  logic                       completion_active_i,
   // Line port of the cache.
-  input  logic                       line_read_valid_i,
-  output logic                       line_read_ready_o,
-  input  logic [63:6]                line_read_address_i,
-  input  logic [2:0]                 line_read_id_i,
-  output logic                       line_data_valid_o,
-  input  logic                       line_data_ready_i,
-  output logic [2:0]                 line_data_id_o,
-  output logic [511:0]               line_data_o,
-  input  logic                       line_write_valid_i,
-  output logic                       line_write_ready_o,
-  input  logic [63:6]                line_write_address_i,
-  input  logic [2:0]                 line_write_id_i,
-  input  logic [511:0]               line_write_data_i,
-  input  logic [63:0]                line_write_strobe_i,
-  output logic                       line_written_valid_o,
-  output logic [2:0]                 line_written_id_o,
+  input  cache_pkg::port_want_t      lines_i,
+  output cache_pkg::port_give_t      lines_o,
   // AXI.
   output logic                       m_axi_arvalid_o,
   input  logic                       m_axi_arready_i,
-  output logic [4:0]                 m_axi_arid_o,
+  output logic [ID_BITS-1:0]         m_axi_arid_o,
   output logic [63:0]                m_axi_araddr_o,
   output logic [7:0]                 m_axi_arlen_o,
   output logic [2:0]                 m_axi_arsize_o,
   output logic [1:0]                 m_axi_arburst_o,
   input  logic                       m_axi_rvalid_i,
   output logic                       m_axi_rready_o,
-  input  logic [4:0]                 m_axi_rid_i,
+  input  logic [ID_BITS-1:0]         m_axi_rid_i,
   input  logic [AXI_DATA_BITS-1:0]   m_axi_rdata_i,
   input  logic [1:0]                 m_axi_rresp_i,
   input  logic                       m_axi_rlast_i,
   output logic                       m_axi_awvalid_o,
   input  logic                       m_axi_awready_i,
-  output logic [4:0]                 m_axi_awid_o,
+  output logic [ID_BITS-1:0]         m_axi_awid_o,
   output logic [63:0]                m_axi_awaddr_o,
   output logic [7:0]                 m_axi_awlen_o,
   output logic [2:0]                 m_axi_awsize_o,
@@ -93,7 +82,7 @@ module axi_master #(
   output logic                       m_axi_wlast_o,
   input  logic                       m_axi_bvalid_i,
   output logic                       m_axi_bready_o,
-  input  logic [4:0]                 m_axi_bid_i,
+  input  logic [ID_BITS-1:0]         m_axi_bid_i,
   input  logic [1:0]                 m_axi_bresp_i
 );
 
@@ -102,22 +91,22 @@ module axi_master #(
 
   logic        read_pending, read_late, read_active, write_pending, write_late, write_active;
   logic [63:0] read_address, write_address;
-  axi_read #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(EN_LINES)) u_read (
+  axi_read #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(EN_LINES), .LINE_IDS_LOG2(LINE_IDS_LOG2)) u_read (
     .clk_i, .rst_ni, .core_rst_ni, .may_start_i, .epoch_i, .give_up_i, .pending_o(read_pending), .late_o(read_late),
     .descriptor_valid_i, .descriptor_ready_o, .descriptor_active_i, .descriptor_place_i, .descriptor_beat_o,
     .command_valid_i, .command_ready_o, .command_address_i, .command_words_i, .command_active_i, .command_oldest_i,
-    .command_beat_o, .beat_o, .beat_last_o, .line_read_valid_i, .line_read_ready_o, .line_read_address_i,
-    .line_read_id_i, .line_data_valid_o, .line_data_ready_i, .line_data_id_o, .line_data_o, .m_axi_arvalid_o,
+    .command_beat_o, .beat_o, .beat_last_o, .lines_i, .line_read_ready_o(lines_o.read_ready),
+    .line_data_valid_o(lines_o.data_valid), .line_data_id_o(lines_o.data_id), .line_data_o(lines_o.data), .m_axi_arvalid_o,
     .m_axi_arready_i, .m_axi_arid_o, .m_axi_araddr_o, .m_axi_arlen_o, .m_axi_rvalid_i, .m_axi_rid_i, .m_axi_rdata_i,
     .m_axi_rresp_i, .m_axi_rlast_i, .active_o(read_active), .active_address_o(read_address), .fault_o(read_fault_o)
   );
-  axi_write #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(EN_LINES)) u_write (
+  axi_write #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(EN_LINES), .LINE_IDS_LOG2(LINE_IDS_LOG2)) u_write (
     .clk_i, .rst_ni, .core_rst_ni, .may_start_i, .epoch_i, .give_up_i, .pending_o(write_pending), .late_o(write_late),
     .result_valid_i, .result_ready_o, .result_line_i, .result_first_i, .result_last_i, .result_data_i,
     .result_written_o, .result_active_i, .result_oldest_i, .completion_valid_i, .completion_ready_o,
     .completion_place_i(descriptor_place_i), .completion_i, .completion_written_o, .completion_active_i,
-    .line_write_valid_i, .line_write_ready_o, .line_write_address_i, .line_write_id_i, .line_write_data_i,
-    .line_write_strobe_i, .line_written_valid_o, .line_written_id_o, .m_axi_awvalid_o, .m_axi_awready_i, .m_axi_awid_o,
+    .lines_i, .line_write_ready_o(lines_o.write_ready), .line_written_valid_o(lines_o.written_valid),
+    .line_written_id_o(lines_o.written_id), .m_axi_awvalid_o, .m_axi_awready_i, .m_axi_awid_o,
     .m_axi_awaddr_o, .m_axi_awlen_o, .m_axi_wvalid_o, .m_axi_wready_i, .m_axi_wdata_o, .m_axi_wstrb_o, .m_axi_wlast_o,
     .m_axi_bvalid_i, .m_axi_bid_i, .m_axi_bresp_i, .active_o(write_active), .active_address_o(write_address),
     .fault_o(write_fault_o)
@@ -140,7 +129,7 @@ module axi_master #(
     .address_i(read_active ? read_address : write_address), .fault_o(timeout_fault_o)
   );
 
-  axi_checks #(.AXI_DATA_BITS(AXI_DATA_BITS)) u_checks (
+  axi_checks #(.AXI_DATA_BITS(AXI_DATA_BITS), .ID_BITS(ID_BITS)) u_checks (
     .clk_i, .rst_ni, .arvalid_i(m_axi_arvalid_o), .arready_i(m_axi_arready_i), .arid_i(m_axi_arid_o),
     .araddr_i(m_axi_araddr_o), .arlen_i(m_axi_arlen_o), .arsize_i(m_axi_arsize_o), .arburst_i(m_axi_arburst_o),
     .awvalid_i(m_axi_awvalid_o), .awready_i(m_axi_awready_i), .awid_i(m_axi_awid_o), .awaddr_i(m_axi_awaddr_o),

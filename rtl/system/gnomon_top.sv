@@ -30,9 +30,12 @@ module gnomon_top #(
   parameter int unsigned SLB_DIVIDERS     = 2,
   parameter int unsigned MEM_LATENCY      = 1,
   parameter int unsigned CACHE_LOG2       = 0,
+  parameter int unsigned LINE_IDS_LOG2    = 4,
   parameter int unsigned MEM_STALL_SEED   = 0,
   // The bus.
-  parameter int unsigned AXI_DATA_BITS    = 64
+  parameter int unsigned AXI_DATA_BITS    = 64,
+  // Derived; not to be overridden.
+  parameter int unsigned AXI_ID_BITS      = LINE_IDS_LOG2 + 2
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,           // synchronous
@@ -58,20 +61,20 @@ module gnomon_top #(
   // Memory, AXI4.
   output logic                       m_axi_arvalid_o,
   input  logic                       m_axi_arready_i,
-  output logic [4:0]                 m_axi_arid_o,
+  output logic [AXI_ID_BITS-1:0]     m_axi_arid_o,
   output logic [63:0]                m_axi_araddr_o,
   output logic [7:0]                 m_axi_arlen_o,
   output logic [2:0]                 m_axi_arsize_o,
   output logic [1:0]                 m_axi_arburst_o,
   input  logic                       m_axi_rvalid_i,
   output logic                       m_axi_rready_o,
-  input  logic [4:0]                 m_axi_rid_i,
+  input  logic [AXI_ID_BITS-1:0]     m_axi_rid_i,
   input  logic [AXI_DATA_BITS-1:0]   m_axi_rdata_i,
   input  logic [1:0]                 m_axi_rresp_i,
   input  logic                       m_axi_rlast_i,
   output logic                       m_axi_awvalid_o,
   input  logic                       m_axi_awready_i,
-  output logic [4:0]                 m_axi_awid_o,
+  output logic [AXI_ID_BITS-1:0]     m_axi_awid_o,
   output logic [63:0]                m_axi_awaddr_o,
   output logic [7:0]                 m_axi_awlen_o,
   output logic [2:0]                 m_axi_awsize_o,
@@ -83,7 +86,7 @@ module gnomon_top #(
   output logic                       m_axi_wlast_o,
   input  logic                       m_axi_bvalid_i,
   output logic                       m_axi_bready_o,
-  input  logic [4:0]                 m_axi_bid_i,
+  input  logic [AXI_ID_BITS-1:0]     m_axi_bid_i,
   input  logic [1:0]                 m_axi_bresp_i,
   // Commands and results, AXI4-Stream.
   input  logic                       s_axis_tvalid_i,
@@ -118,7 +121,7 @@ module gnomon_top #(
     .WIDTHS_TOPOLOGY(EN_VPU_TOPOLOGY ? {8'(QUADS_LOG2), 8'(NODES_LOG2), 8'(SPAN_LOG2), 8'(SUB_BITS)} : 32'd0),
     .WIDTHS_SLB(EN_SLB ? {8'(FRAGS_PER_PIXEL), 8'(SLOPE_BITS), 8'(FRAC_BITS), 8'(SLB_PLANE_LOG2)} : 32'd0),
     .WIDTHS_POINT(EN_SLB ? {8'd0, 8'(SLB_ROUNDING), 8'(QUERY_BITS), 8'(SUBPIXEL_BITS)} : 32'd0),
-    .WIDTHS_MEMORY({16'd0, 8'(CACHE_LOG2), 8'($clog2(AXI_DATA_BITS / 8))})
+    .WIDTHS_MEMORY({8'd0, CACHED ? 8'(LINE_IDS_LOG2) : 8'd0, 8'(CACHE_LOG2), 8'($clog2(AXI_DATA_BITS / 8))})
   ) u_registers (
     .clk_i, .rst_ni, .s_axil_awvalid_i, .s_axil_awready_o, .s_axil_awaddr_i, .s_axil_wvalid_i, .s_axil_wready_o,
     .s_axil_wdata_i, .s_axil_wstrb_i, .s_axil_bvalid_o, .s_axil_bready_i, .s_axil_bresp_o, .s_axil_arvalid_i,
@@ -146,12 +149,8 @@ module gnomon_top #(
   logic                word_awaited, result_awaited;
   logic [63:0]         cmd_data, res_data;
   gnomon_pkg::sticky_t raised;
-  logic                line_read_valid, line_read_ready, line_data_valid, line_data_ready, line_write_valid;
-  logic                line_write_ready, line_written_valid;
-  logic [63:6]         line_read_address, line_write_address;
-  logic [2:0]          line_read_id, line_data_id, line_write_id, line_written_id;
-  logic [511:0]        line_data, line_write_data;
-  logic [63:0]         line_write_strobe;
+  cache_pkg::port_want_t lines_want;  // lines of the caches
+  cache_pkg::port_give_t lines_give;
   gnomon_core #(
     .VOXEL_BITS(VOXEL_BITS), .VOXEL_FRAC_BITS(VOXEL_FRAC_BITS), .NORMAL_BITS(NORMAL_BITS),
     .MATRIX_FRAC_BITS(MATRIX_FRAC_BITS), .DEPTH_BITS(DEPTH_BITS), .PLANE_LOG2(PLANE_LOG2),
@@ -160,19 +159,14 @@ module gnomon_top #(
     .EN_FRAME_BUFFER(EN_FRAME_BUFFER), .FRAME_LAYERS_LOG2(FRAME_LAYERS_LOG2), .EN_SLB(EN_SLB),
     .SLB_PLANE_LOG2(SLB_PLANE_LOG2), .FRAC_BITS(FRAC_BITS), .SLOPE_BITS(SLOPE_BITS), .FRAGS_PER_PIXEL(FRAGS_PER_PIXEL),
     .SUBPIXEL_BITS(SUBPIXEL_BITS), .QUERY_BITS(QUERY_BITS), .SLB_ROUNDING(SLB_ROUNDING), .SLB_DIVIDERS(SLB_DIVIDERS),
-    .MEM_LATENCY(MEM_LATENCY), .CACHE_LOG2(CACHE_LOG2), .MEM_STALL_SEED(MEM_STALL_SEED), .EN_BUS(1'b1)
+    .MEM_LATENCY(MEM_LATENCY), .CACHE_LOG2(CACHE_LOG2), .LINE_IDS_LOG2(LINE_IDS_LOG2), .MEM_STALL_SEED(MEM_STALL_SEED),
+    .EN_BUS(1'b1)
   ) u_core (
     .clk_i, .rst_ni(core_rst_n), .cmd_valid_i(cmd_valid), .cmd_ready_o(cmd_ready), .cmd_data_i(cmd_data),
     .res_valid_o(res_valid), .res_ready_i(res_ready), .res_data_o(res_data), .counter_index_i(counter_index),
     .counter_value_o(counter_value), .idle_o(core_idle), .counter_snapshot_i(snapshot), .word_awaited_i(word_awaited),
     .result_awaited_i(result_awaited), .in_command_o(in_command), .error_given_o(error_given), .raised_o(raised),
-    .plane_base_i(plane_base[63:12]), .line_read_valid_o(line_read_valid), .line_read_ready_i(line_read_ready),
-    .line_read_address_o(line_read_address), .line_read_id_o(line_read_id), .line_data_valid_i(line_data_valid),
-    .line_data_ready_o(line_data_ready), .line_data_id_i(line_data_id), .line_data_data_i(line_data),
-    .line_write_valid_o(line_write_valid), .line_write_ready_i(line_write_ready),
-    .line_write_address_o(line_write_address), .line_write_id_o(line_write_id), .line_write_data_o(line_write_data),
-    .line_write_strobe_o(line_write_strobe), .line_written_valid_i(line_written_valid),
-    .line_written_id_i(line_written_id)
+    .plane_base_i(plane_base[63:12]), .lines_o(lines_want), .lines_i(lines_give)
   );
 
   // ---- Rings ----
@@ -258,7 +252,7 @@ module gnomon_top #(
   assign idle      = dma_idle && results_empty && !pending && !active && (core_idle || untouched_q) && !resetting;
 
   // ---- Memory ----
-  axi_master #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(CACHED)) u_master (
+  axi_master #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(CACHED), .LINE_IDS_LOG2(LINE_IDS_LOG2)) u_master (
     .clk_i, .rst_ni, .core_rst_ni(core_rst_n), .may_start_i(may_start), .epoch_i(epoch), .give_up_i(give_up),
     .timeout_i(axi_timeout), .pending_o(pending), .late_o(late), .active_o(active), .moved_o(moved), .read_fault_o(read_fault),
     .write_fault_o(write_fault), .timeout_fault_o(timeout_fault),
@@ -272,12 +266,7 @@ module gnomon_top #(
     .result_written_o(result_written), .result_active_i(result_active), .result_oldest_i(result_oldest),
     .completion_valid_i(completion_valid), .completion_ready_o(completion_ready), .completion_i(completion),
     .completion_written_o(completion_written), .completion_active_i(completion_active),
-    .line_read_valid_i(line_read_valid), .line_read_ready_o(line_read_ready), .line_read_address_i(line_read_address),
-    .line_read_id_i(line_read_id), .line_data_valid_o(line_data_valid), .line_data_ready_i(line_data_ready),
-    .line_data_id_o(line_data_id), .line_data_o(line_data), .line_write_valid_i(line_write_valid),
-    .line_write_ready_o(line_write_ready), .line_write_address_i(line_write_address), .line_write_id_i(line_write_id),
-    .line_write_data_i(line_write_data), .line_write_strobe_i(line_write_strobe),
-    .line_written_valid_o(line_written_valid), .line_written_id_o(line_written_id),
+    .lines_i(lines_want), .lines_o(lines_give),
     .m_axi_arvalid_o, .m_axi_arready_i, .m_axi_arid_o, .m_axi_araddr_o, .m_axi_arlen_o, .m_axi_arsize_o,
     .m_axi_arburst_o, .m_axi_rvalid_i, .m_axi_rready_o, .m_axi_rid_i, .m_axi_rdata_i, .m_axi_rresp_i, .m_axi_rlast_i,
     .m_axi_awvalid_o, .m_axi_awready_i, .m_axi_awid_o, .m_axi_awaddr_o, .m_axi_awlen_o, .m_axi_awsize_o,

@@ -4,13 +4,10 @@
 /* verilator lint_off UNUSEDPARAM */  // a module elaborated by itself uses only some
 package system_pkg;
 
-  // ---- Transactions: the upper bit of an id is the epoch ----
-  localparam int unsigned ID_BITS = 5;
-  localparam logic [3:0] ID_RESULT     = 4'd0;
-  localparam logic [3:0] ID_DESCRIPTOR = 4'd1;  // and completions
-  localparam logic [3:0] ID_COMMAND    = 4'd2;
-  localparam int unsigned ID_LINE_BIT  = 3;     // lines of the cache: 8 + number
-  localparam int unsigned LINES        = 8;
+  // ---- Transactions: an id is {epoch, whether a line of the cache, its number there or the user} ----
+  localparam logic [1:0] ID_RESULT     = 2'd0;
+  localparam logic [1:0] ID_DESCRIPTOR = 2'd1;  // and completions
+  localparam logic [1:0] ID_COMMAND    = 2'd2;
 
   localparam int unsigned COMMAND_BURST_LOG2  = 6;   // words; bursts do not cross a multiple of it
   localparam int unsigned COMMAND_BURSTS      = 8;

@@ -15,6 +15,7 @@ module topology #(
   parameter int unsigned MEM_LATENCY      = 1,
   parameter int unsigned MEM_STALL_SEED   = 0,
   parameter int unsigned CACHE_LOG2       = 0,  // not 0: lists in memory, behind caches (docs/cache.md)
+  parameter int unsigned LINE_IDS_LOG2    = 4,
   parameter int unsigned FIRST_LINE       = 0,  // there
   // Derived; not to be overridden.
   parameter int unsigned PLACE     = gnomon_pkg::place_bits(PLANE_LOG2),
@@ -218,14 +219,14 @@ module topology #(
       .word_tag_o(record_tag), .idle_o(records_idle)
     );
     logic unused_give;
-    assign unused_give    = (^cache_give_i) ^ (FIRST_LINE == 0);
+    assign unused_give    = (^cache_give_i) ^ (FIRST_LINE + LINE_IDS_LOG2 == 0);
     assign cache_want_o   = '0;
     assign cache_events_o = '0;
   end else begin : gen_cached
     topology_caches #(
       .INDEX_BITS(INDEX), .NODES_LOG2(NODES_LOG2), .QUADS_LOG2(QUADS_LOG2), .HEAD(HEAD), .NODE(NODE),
       .RECORD(RECORD), .HEAD_TAG(HEAD_TAG), .NODE_TAG(NODE_TAG), .RECORD_TAG(RECORD_TAG), .SIZE_LOG2(CACHE_LOG2),
-      .FIRST_LINE(FIRST_LINE), .STALL_SEED(MEM_STALL_SEED)
+      .FIRST_LINE(FIRST_LINE), .LINE_IDS_LOG2(LINE_IDS_LOG2), .STALL_SEED(MEM_STALL_SEED)
     ) u_caches (
       .clk_i, .rst_ni, .clear_i(clear_start), .clearing_o(scrubbing), .idle_o(heads_idle),
       .update_valid_i(update_valid), .update_ready_o(update_ready), .update_index_i(update_index),

@@ -80,6 +80,8 @@ inline constexpr std::uint32_t kWidthsMemoryAxiBytesLog2Shift = 0x0;
 inline constexpr std::uint32_t kWidthsMemoryAxiBytesLog2Mask = 0xFF;
 inline constexpr std::uint32_t kWidthsMemoryCacheLog2Shift = 0x8;
 inline constexpr std::uint32_t kWidthsMemoryCacheLog2Mask = 0xFF00;
+inline constexpr std::uint32_t kWidthsMemoryLineIdsLog2Shift = 0x10;
+inline constexpr std::uint32_t kWidthsMemoryLineIdsLog2Mask = 0xFF0000;
 inline constexpr std::uint32_t kControlOffset = 0x40;
 inline constexpr std::uint32_t kControlReset = 0x0;
 inline constexpr std::uint32_t kControlEnableShift = 0x0;
@@ -192,7 +194,7 @@ inline constexpr std::array<RegisterInfo, 35> kRegisters{{
     {"WIDTHS_TOPOLOGY", 0x18, 1, 4, Access::Ro, 0x0, 0xFFFFFFFF},
     {"WIDTHS_SLB", 0x1C, 1, 4, Access::Ro, 0x0, 0xFFFFFFFF},
     {"WIDTHS_POINT", 0x20, 1, 4, Access::Ro, 0x0, 0xFFFFFF},
-    {"WIDTHS_MEMORY", 0x24, 1, 4, Access::Ro, 0x0, 0xFFFF},
+    {"WIDTHS_MEMORY", 0x24, 1, 4, Access::Ro, 0x0, 0xFFFFFF},
     {"CONTROL", 0x40, 1, 4, Access::Rw, 0x0, 0x3},
     {"RESET", 0x44, 1, 4, Access::W1p, 0x0, 0x1},
     {"STATUS", 0x48, 1, 4, Access::Ro, 0x1, 0xF},

@@ -188,6 +188,7 @@ std::unique_ptr<SystemEngine> make_system_engine(const golden::HardwareConfig& c
     if (const auto error = config.check()) throw std::invalid_argument(*error);
     ModelSpec spec = model_spec(config, inner);
     spec.cache_log2 = options.cache_log2;
+    spec.line_ids_log2 = options.line_ids_log2;
     spec.axi_data_bits = options.axi_data_bits;
     return std::make_unique<SystemEngine>(system, config, cache.load_top(spec), inner, firmware::image());
   }

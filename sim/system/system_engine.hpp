@@ -34,6 +34,7 @@ struct SystemOptions {
   HardwareModel hardware = HardwareModel::Top;
   RtlOptions rtl;          ///< the model; progress, abort and max_cycles in cycles of the system
   int cache_log2 = 0;      ///< of Top, as in ModelSpec
+  int line_ids_log2 = 4;   ///< of Top, as in ModelSpec
   int axi_data_bits = 64;  ///< of Top, as in ModelSpec
 };
 

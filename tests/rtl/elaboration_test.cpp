@@ -209,7 +209,10 @@ TEST(Elaboration, IllegalMemoryParametersStopVerilatorWithTheirMessage) {
         std::pair{" -GEN_SLB=1\\'b1 -GSLB_ROUNDING=2", "SLB_ROUNDING is out of range 0..1"},
         std::pair{" -GEN_SLB=1\\'b1 -GSLB_DIVIDERS=4", "SLB_DIVIDERS is out of range 1..3"},
         std::pair{" -GEN_SLB=1\\'b1 -GSLB_DIVIDERS=0", "SLB_DIVIDERS is out of range 1..3"},
-        std::pair{" -GMEM_STALL_SEED=65536", "MEM_STALL_SEED is out of range 0..65535"}}) {
+        std::pair{" -GMEM_STALL_SEED=65536", "MEM_STALL_SEED is out of range 0..65535"},
+        std::pair{" -GCACHE_LOG2=11", "CACHE_LOG2 is out of range 12..16"},
+        std::pair{" -GCACHE_LOG2=12 -GLINE_IDS_LOG2=2", "LINE_IDS_LOG2 is out of range 3..5"},
+        std::pair{" -GCACHE_LOG2=12 -GLINE_IDS_LOG2=6", "LINE_IDS_LOG2 is out of range 3..5"}}) {
     const Outcome outcome = verilator({}, argument);
     EXPECT_NE(outcome.status, 0) << argument;
     EXPECT_NE(outcome.text.find(message), std::string::npos) << outcome.text;

@@ -26,7 +26,7 @@ TEST(DramClock, OpensRowsAndSharesItsDataBus) {
   EXPECT_EQ(dram.access(400, 2 * kRow - 8, 16), 400u + 2 + 4 + 1 + 10);  // in two rows, the second one closed
 }
 
-/// 4 KiB over 256 lines: 32 sets.
+/// 4 KiB over 256 lines: 32 sets; eight lines may be under way.
 class Cache : public testing::Test {
  protected:
   void step(Cycle cycles = 1) {
@@ -46,7 +46,7 @@ class Cache : public testing::Test {
     step();
     return waited;
   }
-  CacheClock cache_{12, 8, 0};
+  CacheClock cache_{12, 8, 0, 3};
   Cycle now_ = 0;
 };
 
@@ -171,6 +171,7 @@ TEST(Ports, WaitForSoftwareWhenTheRingIsFull) {
 TEST(SystemTiming, SaysWhatIsWrong) {
   EXPECT_FALSE(SystemTiming{}.check());
   EXPECT_EQ(SystemTiming{.cache_log2 = 11}.check(), "CACHE_LOG2 = 11 is neither 0 nor in 12..16");
+  EXPECT_EQ(SystemTiming{.line_ids_log2 = 6}.check(), "LINE_IDS_LOG2 = 6 is not in 3..5");
   EXPECT_EQ(SystemTiming{.axi_data_bits = 96}.check(), "AXI_DATA_BITS = 96 is none of 64, 128, 256, 512");
   EXPECT_EQ(SystemTiming{.banks = 0}.check(), "DRAM without banks, rows or data bus");
   HardwareTiming timing{.system = SystemTiming{.cache_log2 = 12}};

@@ -38,25 +38,26 @@ class LineMemory {
   /// Sets the inputs of the port, before the model is evaluated in a cycle.
   template <class Model>
   void drive(Model& model) {
-    model.line_read_ready_i = open() && reads_.size() < kIds;
-    model.line_write_ready_i = open() && writes_.size() < kIds;
+    Port port{model.lines_i};
+    port.set(kReadReady, open());
+    port.set(kWriteReady, open());
     data_ = next_due(reads_, bus_free_);
-    model.line_data_valid_i = data_.has_value();
+    port.set(kDataValid, data_.has_value());
     if (data_) {
       const Pending& read = reads_[*data_];
-      model.line_data_id_i = static_cast<std::uint8_t>(read.id);
+      port.set(kDataId, read.id);
       const Line line = content(read.address);
-      for (std::size_t i = 0; i < line.size(); ++i) model.line_data_data_i[i] = line[i];
+      for (std::size_t i = 0; i < line.size(); ++i) model.lines_i[i] = line[i];
     }
     written_ = next_due(writes_, 0);
-    model.line_written_valid_i = written_.has_value();
-    if (written_) model.line_written_id_i = static_cast<std::uint8_t>(writes_[*written_].id);
+    port.set(kWrittenValid, written_.has_value());
+    if (written_) port.set(kWrittenId, writes_[*written_].id);
   }
 
   /// Takes what the model gives, after it was evaluated and before its clock rises.
   template <class Model>
   void clock(Model& model) {
-    if (data_ && model.line_data_ready_o) {
+    if (data_) {
       bus_free_ = now_ + timing_.cycles_per_line;
       reads_.erase(reads_.begin() + static_cast<std::ptrdiff_t>(*data_));
     }
@@ -65,13 +66,13 @@ class LineMemory {
       lines_[write.address] = write.line;
       writes_.erase(writes_.begin() + static_cast<std::ptrdiff_t>(*written_));
     }
-    if (model.line_read_valid_o && model.line_read_ready_i)
-      take_read(model.line_read_address_o, model.line_read_id_o);
-    if (model.line_write_valid_o && model.line_write_ready_i) {
+    Port out{model.lines_o}, in{model.lines_i};
+    if (out.get(kReadValid) != 0 && in.get(kReadReady) != 0)
+      take_read(out.get(kReadLine), static_cast<std::uint32_t>(out.get(kReadId)));
+    if (out.get(kWriteValid) != 0 && in.get(kWriteReady) != 0) {
       Line line{};
-      for (std::size_t i = 0; i < line.size(); ++i) line[i] = model.line_write_data_o[i];
-      take_write(model.line_write_address_o, model.line_write_id_o, line);
-      if (model.line_write_strobe_o != ~std::uint64_t{0}) fault("a write of a part of a line");
+      for (std::size_t i = 0; i < line.size(); ++i) line[i] = model.lines_o[i];
+      take_write(out.get(kWriteLine), static_cast<std::uint32_t>(out.get(kWriteId)), line);
     }
     ++now_;
   }
@@ -88,7 +89,34 @@ class LineMemory {
   const std::string& broken() const { return broken_; }
 
  private:
-  static constexpr std::size_t kIds = 8;
+  /// Bits of port_want_t and port_give_t of cache_pkg, above the line's.
+  struct Bits {
+    unsigned from, count;
+  };
+  static constexpr Bits kWriteId{512, 5}, kWriteLine{517, 58}, kWriteValid{575, 1}, kReadId{576, 5},
+      kReadLine{581, 58}, kReadValid{639, 1};
+  static constexpr Bits kWrittenId{512, 5}, kWrittenValid{517, 1}, kDataId{518, 5}, kDataValid{523, 1},
+      kWriteReady{524, 1}, kReadReady{525, 1};
+  /// A port of many bits, in words of 32.
+  template <class Words>
+  struct Port {
+    Words& words;
+    std::uint64_t get(const Bits& bits) const {
+      std::uint64_t value = 0;
+      for (unsigned i = 0; i < bits.count; ++i)
+        value |= std::uint64_t{words[(bits.from + i) / 32] >> (bits.from + i) % 32 & 1u} << i;
+      return value;
+    }
+    void set(const Bits& bits, std::uint64_t value) {
+      for (unsigned i = 0; i < bits.count; ++i) {
+        const std::uint32_t bit = std::uint32_t{1} << (bits.from + i) % 32;
+        if ((value >> i & 1u) != 0)
+          words[(bits.from + i) / 32] |= bit;
+        else
+          words[(bits.from + i) / 32] &= ~bit;
+      }
+    }
+  };
   struct Pending {
     std::uint64_t address = 0;
     std::uint32_t id = 0;

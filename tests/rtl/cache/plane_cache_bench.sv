@@ -2,8 +2,9 @@
 // The plane in memory with the modify function of the project pass, behind a line port; its ports flattened for a test.
 
 module plane_cache_bench #(
-  parameter int unsigned INDEX_BITS = 12,
-  parameter int unsigned SIZE_LOG2  = 10
+  parameter int unsigned INDEX_BITS    = 12,
+  parameter int unsigned SIZE_LOG2     = 10,
+  parameter int unsigned LINE_IDS_LOG2 = 4
 ) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
@@ -32,22 +33,8 @@ module plane_cache_bench #(
   output logic                  idle_o,
   output logic [5:0]            events_o,   // hit, hit beside, miss, fill, write-back, wait for a fill
   output logic                  wrote_o,
-  output logic                  line_read_valid_o,
-  input  logic                  line_read_ready_i,
-  output logic [63:6]           line_read_address_o,
-  output logic [2:0]            line_read_id_o,
-  input  logic                  line_data_valid_i,
-  output logic                  line_data_ready_o,
-  input  logic [2:0]            line_data_id_i,
-  input  logic [511:0]          line_data_data_i,
-  output logic                  line_write_valid_o,
-  input  logic                  line_write_ready_i,
-  output logic [63:6]           line_write_address_o,
-  output logic [2:0]            line_write_id_o,
-  output logic [511:0]          line_write_data_o,
-  output logic [63:0]           line_write_strobe_o,
-  input  logic                  line_written_valid_i,
-  input  logic [2:0]            line_written_id_i
+  output cache_pkg::port_want_t lines_o,
+  input  cache_pkg::port_give_t lines_i
 );
 
   gnomon_pkg::plane_entry_t entry, entry0, entry1;
@@ -64,7 +51,7 @@ module plane_cache_bench #(
 
   plane_cache #(
     .INDEX_BITS(INDEX_BITS), .OPERAND_BITS(24), .TAG0_BITS(32), .TAG1_BITS(32), .SIZE_LOG2(SIZE_LOG2),
-    .FIRST_LINE(64)
+    .FIRST_LINE(64), .LINE_IDS_LOG2(LINE_IDS_LOG2)
   ) u_plane (
     .clk_i, .rst_ni, .update_valid_i, .update_ready_o, .update_index_i, .update_operand_i(update_depth_i),
     .modify_entry_o(entry), .modify_operand_o(operand), .modify_write_i(write), .modify_depth_i(depth), .wrote_o,
@@ -73,11 +60,8 @@ module plane_cache_bench #(
     .entry1_o(entry1), .entry1_tag_o, .clear_valid_i, .clear_ready_o, .idle_o, .want_o(want), .give_i(give),
     .events_o(events)
   );
-  cache_port #(.CLIENTS(1)) u_port (
-    .clk_i, .rst_ni, .base_i(52'h8_0010), .want_i(want), .give_o(give), .line_read_valid_o, .line_read_ready_i,
-    .line_read_address_o, .line_read_id_o, .line_data_valid_i, .line_data_ready_o, .line_data_id_i,
-    .line_data_data_i, .line_write_valid_o, .line_write_ready_i, .line_write_address_o, .line_write_id_o,
-    .line_write_data_o, .line_write_strobe_o, .line_written_valid_i, .line_written_id_i
+  cache_port #(.CLIENTS(1), .LINE_IDS_LOG2(LINE_IDS_LOG2)) u_port (
+    .clk_i, .rst_ni, .base_i(52'h8_0010), .want_i(want), .give_o(give), .port_o(lines_o), .port_i(lines_i)
   );
 
 endmodule

@@ -7,6 +7,7 @@
 #include <verilated.h>
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,7 +17,7 @@
 
 namespace gnomon::rtl_test {
 
-inline constexpr std::size_t kMaxBeatBytes = 64;
+inline constexpr std::size_t kMaxBeatBytes = 64, kIds = 128;
 using Beat = std::array<std::uint8_t, kMaxBeatBytes>;
 
 inline void set_port(QData& port, const Beat& beat) {
@@ -221,12 +222,11 @@ class AxiMemory {
   /// The first of its id, its time come.
   template <class Queue>
   bool choose(const Queue& queue, std::size_t& chosen) {
-    std::uint32_t seen = 0;
+    std::bitset<kIds> seen;
     std::vector<std::size_t> ready;
     for (std::size_t i = 0; i < queue.size(); ++i) {
-      const std::uint32_t bit = std::uint32_t{1} << queue[i].id;
-      if ((seen & bit) != 0) continue;
-      seen |= bit;
+      if (seen.test(queue[i].id)) continue;
+      seen.set(queue[i].id);
       if (!queue[i].silent && queue[i].ready <= cycle_) ready.push_back(i);
       if (!timing_.reorder) break;
     }

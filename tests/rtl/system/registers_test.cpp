@@ -45,7 +45,7 @@ TYPED_TEST(SystemRegisters, SayWhatTheBuildHas) {
   EXPECT_EQ(bench.read(hw::kWidthsPlaneOffset), bytes(config.plane_log2, config.depth_bits, 0, 0));
   EXPECT_EQ(bench.read(hw::kWidthsSlbOffset), 0u);
   EXPECT_EQ(bench.read(hw::kWidthsMemoryOffset),
-            bytes(std::is_same_v<TypeParam, Vsystem_wide> ? 6 : 3, kHasCache ? 12 : 0, 0, 0));
+            bytes(std::is_same_v<TypeParam, Vsystem_wide> ? 6 : 3, kHasCache ? 12 : 0, kHasCache ? 5 : 0, 0));
 }
 
 TEST(SystemRegisterMap, IsThatOfTheTableAndNothingElse) {

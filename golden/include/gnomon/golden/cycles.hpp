@@ -19,6 +19,7 @@ namespace gnomon::golden {
 /// The memory behind the hardware's bus (docs/system-model.md, "Parameters"); times in cycles.
 struct SystemTiming {
   int cache_log2 = 0;      ///< CACHE_LOG2: 0, or 12..16
+  int line_ids_log2 = 4;   ///< LINE_IDS_LOG2: 3..5; only with a cache
   int axi_data_bits = 64;  ///< AXI_DATA_BITS: 64, 128, 256 or 512
   std::uint32_t bus_latency = 2;
   std::uint32_t latency = 20;  ///< of DRAM's controller and wires
