@@ -29,6 +29,7 @@ Json firmware_json(const SystemRecord& system) {
           {"cycles_asleep", s.cpu.cycles_asleep},
           {"asleep_share", ratio(s.cpu.cycles_asleep, s.cpu.cycles)},
           {"cycles_waited", s.cpu.cycles_waited},
+          {"cycles_polling", s.cycles_polling},
           {"interrupts", s.cpu.interrupts},
           {"register_reads", s.register_reads},
           {"register_writes", s.register_writes},

@@ -14,6 +14,7 @@ Json firmware_rows(const Json& f) {
                       row("instructions a job", number(f.at("instructions_per_job"), 0)),
                       row("processor asleep", share(f.at("asleep_share"))),
                       row("waited for the bus", count(f.at("cycles_waited")) + " cycles"),
+                      row("polled registers", count(f.at("cycles_polling")) + " cycles"),
                       row("interrupts", count(f.at("interrupts"))),
                       row("registers read, written",
                           count(f.at("register_reads")) + ", " + count(f.at("register_writes")))});

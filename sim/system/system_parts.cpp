@@ -25,7 +25,7 @@ constexpr std::uint32_t kJobTable = kDram + 0x10000;
 constexpr std::uint32_t kResultRing = kDram + 0x800000;
 constexpr std::uint64_t kLeastDram = 32U << 20U, kMostDram = std::uint64_t{2} << 30U;
 constexpr std::uint32_t kLeastRing = 6, kMostRing = 20;
-constexpr std::uint64_t kSlice = 1U << 18U;  // cycles between two looks at what ends a run
+constexpr std::uint64_t kSlice = 1U << 14U;  // cycles between two looks at what ends a run
 
 std::optional<tlm::tlm_response_status> response(Fault fault) {
   switch (fault) {

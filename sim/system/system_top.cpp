@@ -110,6 +110,7 @@ SystemStatistics System::statistics() const {
   result.cpu = parts.cpu.counters();
   result.register_reads = parts.cpu.traffic().register_reads;
   result.register_writes = parts.cpu.traffic().register_writes;
+  result.cycles_polling = parts.cpu.traffic().cycles_polling;
   result.dram = parts.dram.statistics();
   for (const BusStatistics& bus : parts.router.statistics())
     result.bus.push_back({bus.target, bus.reads, bus.writes, bus.bytes});

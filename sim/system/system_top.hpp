@@ -61,6 +61,7 @@ struct SystemStatistics {
   std::uint64_t cycles = 0;  ///< since power-up
   cpu::Counters cpu;
   std::uint64_t register_reads = 0, register_writes = 0;  ///< of the processor
+  std::uint64_t cycles_polling = 0;                       ///< of it: asking a register again for nothing
   DramStatistics dram;
   std::vector<BusCount> bus;
 };

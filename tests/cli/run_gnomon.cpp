@@ -53,19 +53,27 @@ std::string content(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// Until the child has used this much of a processor, however busy the machine is, or has ended.
-void wait_for_cpu_time(pid_t child, std::chrono::nanoseconds enough) {
-  clockid_t clock{};
-  if (clock_getcpuclockid(child, &clock) != 0) return;
-  timespec used{};
-  while (clock_gettime(clock, &used) == 0 &&
-         std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec) < enough) {
+/// Until `so` or the child has ended.
+template <typename Condition>
+void wait_until(pid_t child, std::chrono::milliseconds between, const Condition& so) {
+  while (!so()) {
     siginfo_t ended{};
     if (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
         ended.si_pid == child)
       return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(between);
   }
+}
+
+/// Until the child has used this much of a processor, however busy the machine is, or has ended.
+void wait_for_cpu_time(pid_t child, std::chrono::nanoseconds enough) {
+  clockid_t clock{};
+  if (clock_getcpuclockid(child, &clock) != 0) return;
+  wait_until(child, std::chrono::milliseconds(5), [&] {
+    timespec used{};
+    return clock_gettime(clock, &used) != 0 ||
+           std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec) >= enough;
+  });
 }
 
 }  // namespace
@@ -78,6 +86,10 @@ Outcome run_gnomon(const std::vector<std::string>& arguments, const HowToRun& ho
   if (child == 0) become_gnomon(arguments, how, out, err);
   if (how.interrupt_at) {
     wait_for_cpu_time(child, *how.interrupt_at);
+    kill(child, SIGINT);
+  }
+  if (how.interrupt_when) {
+    wait_until(child, std::chrono::milliseconds(1), how.interrupt_when);
     kill(child, SIGINT);
   }
   int status = 0;

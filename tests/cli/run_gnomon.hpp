@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct HowToRun {
   std::filesystem::path directory;                        ///< working directory; empty: this process's
   bool as_nobody = false;                                 ///< without root's rights
   std::optional<std::chrono::milliseconds> interrupt_at;  ///< SIGINT after so much CPU time of the program
+  std::function<bool()> interrupt_when;                   ///< SIGINT as soon as it says so
 };
 
 /// Runs `gnomon arguments...` to its end. Throws std::system_error if it cannot be started.

@@ -38,6 +38,11 @@ class SystemTest : public testing::Test {
     return json::parse(std::ifstream(results() / "metrics.json"));
   }
   fs::path results() const { return directory_.path() / "results"; }
+  std::string page() const {
+    std::ostringstream text;
+    text << std::ifstream(results() / "report.html").rdbuf();
+    return text.str();
+  }
   test::TempDir directory_;
   fs::path model_;
 };
@@ -70,6 +75,7 @@ TEST_F(SystemTest, SaysWhatFirmwareBusAndMemoryDid) {
   EXPECT_EQ(system.at("firmware").at("jobs"), 1);
   EXPECT_GT(system.at("firmware").at("instructions_per_job"), 100);
   EXPECT_GT(system.at("firmware").at("asleep_share"), 0.2);
+  EXPECT_EQ(system.at("firmware").at("cycles_polling"), 0) << "it waits for interrupts";
   EXPECT_EQ(system.at("bus").at(0).at("target"), "dram");
   // Commands once, results once.
   const auto words = m.at("memory").at("command_stream_bits").get<std::uint64_t>() / 8 +
@@ -86,10 +92,8 @@ TEST_F(SystemTest, SaysWhatFirmwareBusAndMemoryDid) {
   for (const json& target : system.at("bus"))
     on_bus += target.at("reads").get<std::uint64_t>() + target.at("writes").get<std::uint64_t>();
   EXPECT_EQ(transactions, on_bus);
-  std::ostringstream page;
-  page << std::ifstream(results() / "report.html").rdbuf();
-  EXPECT_THAT(page.str(), HasSubstr("Log of the firmware"));
-  EXPECT_THAT(page.str(), HasSubstr("gnomon firmware: hardware"));
+  EXPECT_THAT(page(), HasSubstr("Log of the firmware"));
+  EXPECT_THAT(page(), HasSubstr("gnomon firmware: hardware"));
 }
 
 TEST_F(SystemTest, ItsParametersChangeCyclesNeverWords) {
@@ -132,11 +136,36 @@ TEST_F(SystemTest, EndsAfterSoManyCyclesAndSaysSo) {
     EXPECT_EQ(m.at("compare").at("differing"), 0);
     EXPECT_LT(m.at("compare").at("words").get<double>() * 64,
               m.at("memory").at("result_stream_bits").get<double>());
+    EXPECT_THAT(page(), HasSubstr("partial, stopped after " + limit + " cycles"));
   }
   EXPECT_EQ(gnomon({"run"}, {"--engine", "golden", "--term-after-cycles", "9"}).status, 2);
   const Outcome verify = gnomon({"verify"}, {"--term-after-cycles", limit});
   EXPECT_EQ(verify.status, 0) << verify.out << verify.err;
   EXPECT_THAT(verify.out, HasSubstr("partial: stopped after " + limit + " cycles"));
+}
+
+TEST_F(SystemTest, CtrlCLeavesAReportThatSaysItIsPartial) {
+  const fs::path log = directory_.path() / "bus.jsonl";
+  test::HowToRun how;
+  // The hardware works: its first accesses are in the log, which still has another name.
+  how.interrupt_when = [&] {
+    std::error_code renamed;
+    for (const fs::directory_entry& file : fs::directory_iterator(directory_.path()))
+      if (file.path().extension() == ".jsonl" && file.file_size(renamed) > 0 && !renamed) return true;
+    return false;
+  };
+  const Outcome outcome =
+      run_gnomon({"run", model_.string(), "-q", "--set", "res=256", "--set", "image_width=16", "--set",
+                  "image_height=16", "--engine", "system", "--set", "system_hardware=golden", "--set",
+                  "quantum=100", "--log-transactions", log.string(), "-o", results().string()},
+                 how);
+  EXPECT_EQ(outcome.status, 130);
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted, the comparison is partial"));
+  const json compare = json::parse(std::ifstream(results() / "metrics.json")).at("compare");
+  EXPECT_THAT(compare.at("partial").get<std::string>(), HasSubstr("interrupted at cycle "));
+  EXPECT_THAT(compare.at("verdict").get<std::string>(), HasSubstr("partial, interrupted at cycle "));
+  EXPECT_EQ(compare.at("differing"), 0);
+  EXPECT_THAT(page(), HasSubstr("partial, interrupted at cycle "));
 }
 
 TEST_F(SystemTest, WritesWaveformsOfTriggers) {

@@ -99,8 +99,20 @@ cpu::Reply CpuModule::transfer(tlm::tlm_command command, std::uint32_t address, 
     wait(sc_core::SC_ZERO_TIME);  // lines follow a delta later
     wait(sc_core::SC_ZERO_TIME);
     sample_lines();
+    note_polling(command, address, data);
   }
   return {data, static_cast<std::uint32_t>(to_cycles(end - begin)), !payload.is_response_ok()};
+}
+
+void CpuModule::note_polling(tlm::tlm_command command, std::uint32_t address, std::uint32_t data) {
+  const std::uint64_t awake = core_.counters().cycles - core_.counters().cycles_asleep;
+  if (command != tlm::TLM_READ_COMMAND) {
+    last_read_.reset();
+    return;
+  }
+  if (last_read_ && last_read_->address == address && last_read_->data == data)
+    traffic_.cycles_polling += awake - last_read_->awake;
+  last_read_ = {address, data, awake};
 }
 
 }  // namespace gnomon::sim::system

@@ -5,6 +5,7 @@
 #include <tlm_utils/simple_initiator_socket.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <systemc>
 #include <vector>
@@ -16,6 +17,8 @@ namespace gnomon::sim::system {
 /// What the processor's bus has seen.
 struct CpuTraffic {
   std::uint64_t register_reads = 0, register_writes = 0, memory_accesses = 0;
+  /// Awake, from a read of a register to the next one, if that was of the same register and told nothing new.
+  std::uint64_t cycles_polling = 0;
 };
 
 class CpuModule : public sc_core::sc_module, private cpu::Bus {
@@ -41,6 +44,7 @@ class CpuModule : public sc_core::sc_module, private cpu::Bus {
   /// Lets the others catch up.
   void synchronise();
   void sample_lines();
+  void note_polling(tlm::tlm_command command, std::uint32_t address, std::uint32_t data);
   /// Cycles that the processor is ahead.
   std::uint64_t ahead() const { return core_.counters().cycles - synchronised_; }
 
@@ -49,6 +53,12 @@ class CpuModule : public sc_core::sc_module, private cpu::Bus {
   cpu::Rv32Core core_;
   std::uint64_t synchronised_ = 0;
   CpuTraffic traffic_;
+  /// The last access to a register, if it was a read.
+  struct RegisterRead {
+    std::uint32_t address = 0, data = 0;
+    std::uint64_t awake = 0;  ///< cycles till then
+  };
+  std::optional<RegisterRead> last_read_;
 };
 
 }  // namespace gnomon::sim::system

@@ -108,6 +108,7 @@ TEST(System, SaysWhereTimeAndBytesGo) {
   const SystemStatistics s = bench.system.statistics();
   EXPECT_GE(s.cycles, jobs[0].commands.size());
   EXPECT_GT(s.cpu.cycles_asleep, s.cpu.cycles / 2) << "the processor sleeps while the hardware works";
+  EXPECT_EQ(s.cycles_polling, 0u);
   EXPECT_LT(s.cpu.cycles, s.cycles + 1000);
   EXPECT_EQ(s.bus.at(0).target, "dram");
   EXPECT_EQ(s.bus[0].bytes, s.dram.bytes);

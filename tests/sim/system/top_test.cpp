@@ -168,6 +168,9 @@ TEST(Top, AThousandFaultsOnTheBusNeverShowAsResults) {
   EXPECT_GT(jobs.watchdogs, 10U);
   EXPECT_GT(faults.silent, 8U);
   EXPECT_GT(jobs.compared, 10'000U);
+  const SystemStatistics statistics = engine->system().statistics();
+  EXPECT_GT(statistics.cycles_polling, 1'000U) << "resets that take their time";
+  EXPECT_LT(statistics.cycles_polling, statistics.cpu.cycles - statistics.cpu.cycles_asleep);
   RecordProperty(
       "tally", testing::PrintToString(std::vector{faults.injected, faults.silent, jobs.watchdogs, jobs.resets,
                                                   jobs.done, jobs.failed, jobs.compared, jobs.wrong}));
