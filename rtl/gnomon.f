@@ -37,6 +37,7 @@ vpu/vpu_saturate.sv
 vpu/vpu_scale.sv
 vpu/vpu_code.sv
 vpu/vpu_delay.sv
+vpu/vpu_travel.sv
 vpu/vpu_project.sv
 vpu/vpu_gradient.sv
 vpu/vpu_lift.sv

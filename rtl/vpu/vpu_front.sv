@@ -104,47 +104,16 @@ module vpu_front #(
     .tilt_shift_o(tilt_shift), .delta_shift_o, .margin_squared_o, .delta_max_o
   );
 
-  // ---- What travels along; bit s: stage s. After its place only what is to be resolved goes on ----
-  localparam int unsigned K = gnomon_pkg::ITEM_KIND_BITS;
-  logic [MOVED:0]         valid_q;
-  logic [(MOVED+1)*K-1:0] kinds_q;
-  logic [TURNED-1:0]      two_sided_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_q <= '0;
-    end else if (en_i) begin
-      valid_q           <= {valid_q[MOVED-1:0], item_valid_i};
-      valid_q[PLACED+1] <= valid_q[PLACED] && gnomon_pkg::is_resolved(kind_o);
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      kinds_q     <= {kinds_q[MOVED*K-1:0], kind_i};
-      two_sided_q <= {two_sided_q[TURNED-2:0], two_sided_i};
-    end
-  end
-  assign idle_o        = valid_q == '0;
-  assign valid_o       = valid_q[PLACED];
-  assign kind_o        = kinds_q[PLACED*K+:K];
-  assign moved_valid_o = valid_q[MOVED];
-  assign moved_kind_o  = kinds_q[MOVED*K+:K];
-
+  // ---- What travels along ----
+  logic                 two_sided, beam3;
   logic [CLEARANCE-1:0] clearance3, moved_clearance;  // in stage 3; with the offset point
-  if (EN_VPU_TOPOLOGY) begin : gen_arguments
-    logic sorted3;
-    vpu_delay #(.WIDTH(1 + CLEARANCE), .CYCLES(4)) u_early (
-      .clk_i, .rst_ni, .en_i, .data_i({sorted_i, clearance_i}), .data_o({sorted3, clearance3})
-    );
-    vpu_delay #(.WIDTH(1 + CLEARANCE), .CYCLES(MOVED - 3)) u_late (
-      .clk_i, .rst_ni, .en_i, .data_i({sorted3, clearance3}), .data_o({sorted_o, moved_clearance})
-    );
-  end else begin : gen_no_arguments
-    assign clearance3      = '0;
-    assign moved_clearance = '0;
-    assign sorted_o        = 1'b0;
-    logic unused_arguments;
-    assign unused_arguments = ^{sorted_i, clearance_i};
-  end
+  vpu_travel #(
+    .EN_VPU_TOPOLOGY(EN_VPU_TOPOLOGY), .CLEARANCE(CLEARANCE), .PLACED(PLACED), .MOVED(MOVED), .TURNED(TURNED)
+  ) u_travel (
+    .clk_i, .rst_ni, .en_i, .item_valid_i, .kind_i, .two_sided_i, .sorted_i, .clearance_i, .idle_o, .two_sided_o(two_sided),
+    .beam3_o(beam3), .clearance3_o(clearance3), .valid_o, .kind_o, .moved_valid_o, .moved_kind_o, .sorted_o,
+    .moved_clearance_o(moved_clearance)
+  );
 
   // ---- Stage 0: fields; stages 1 and 2: M·p ----
   logic [P-1:0]             x, y, z;
@@ -205,7 +174,7 @@ module vpu_front #(
     ) u_gradient (
       .clk_i, .en_i, .perspective_i(perspective), .ux_i(ux), .uy_i(uy), .uz_i(uz), .vx_i(vx), .vy_i(vy), .vz_i(vz),
       .tx_i(tx), .ty_i(ty), .tz_i(tz), .light_x_i(light_x), .light_y_i(light_y), .light_z_i(light_z), .x_i(x), .y_i(y),
-      .z_i(z), .nx_i(nx), .ny_i(ny), .nz_i(nz), .two_sided_i(two_sided_q[TURNED-1]), .g_u_o(g_u), .g_v_o(g_v),
+      .z_i(z), .nx_i(nx), .ny_i(ny), .nz_i(nz), .two_sided_i(two_sided), .g_u_o(g_u), .g_v_o(g_v),
       .g_t_o(g_t), .g_f_o(g_f), .facing_away_o(facing_away)
     );
     // Depth loses P bits here (floor), and fits; w does not.
@@ -242,7 +211,7 @@ module vpu_front #(
     assign slopes      = '0;
     logic unused_resolve;
     assign unused_resolve = ^{
-      perspective, nx, ny, nz, light_x, light_y, light_z, offset_factor, facing_shift, tilt_shift, two_sided_q[TURNED-1], u_acc_late,
+      perspective, nx, ny, nz, light_x, light_y, light_z, offset_factor, facing_shift, tilt_shift, two_sided, u_acc_late,
       v_acc_late, d_acc_late
     };
   end
@@ -294,8 +263,6 @@ module vpu_front #(
         d_acc_late <= d_acc4_q;
       end
     end
-    logic beam3;
-    assign beam3 = kinds_q[3*K+:K] == gnomon_pkg::ITEM_BEAM;
     assign clearance24 = clearance3;
     vpu_perspective #(
       .POSITION_BITS(P), .NORMAL_BITS(N), .MATRIX_FRAC_BITS(F), .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2)
@@ -364,7 +331,7 @@ module vpu_front #(
       end
     end
     logic unused_perspective;
-    assign unused_perspective = ^{u_step, v_step, t_step, clearance3};
+    assign unused_perspective = ^{u_step, v_step, t_step, beam3, clearance3};
   end
 
 endmodule
