@@ -49,8 +49,7 @@ constexpr std::uint64_t in_blocks(std::uint64_t bytes) {
 std::uint64_t bytes_of_planes(const golden::HardwareConfig& build) {
   const std::uint64_t entries = std::uint64_t{1} << (2 * build.plane_log2);
   const std::uint64_t pixels = std::uint64_t{1} << (2 * build.slb_plane_log2);
-  std::uint64_t bytes = 0;
-  if (build.en_vpu_offset) bytes += in_blocks(4 * entries);
+  std::uint64_t bytes = in_blocks(4 * entries);  // the plane, whatever else is built
   if (build.en_slb) bytes += in_blocks(4 * pixels) + in_blocks(64 * pixels);
   if (build.en_vpu_topology)
     bytes += in_blocks(8 * entries) + in_blocks(std::uint64_t{16} << build.nodes_log2) +
