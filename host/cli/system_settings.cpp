@@ -3,7 +3,6 @@
 #include "host/cli/system_settings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <string_view>
 
@@ -44,11 +43,9 @@ sim::system::SystemOptions system_settings(const config::Settings& settings) {
 }
 
 bool gives_memory(const config::Settings& settings) {
-  constexpr std::array<std::string_view, 11> kKeys{
-      "cache_kib",      "line_ids", "axi_bits", "memory_latency", "bus_latency", "dram_banks",
-      "dram_row_bytes", "dram_rcd", "dram_rp",  "dram_cas",       "dram_width"};
-  return std::ranges::any_of(kKeys,
-                             [&](std::string_view key) { return settings.entry(key).origin != "default"; });
+  return std::ranges::any_of(config::parameters(), [&](const config::Parameter& parameter) {
+    return parameter.part == config::Part::Memory && settings.entry(parameter.key).origin != "default";
+  });
 }
 
 }  // namespace gnomon::cli

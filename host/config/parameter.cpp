@@ -44,6 +44,11 @@ Parameter choices(std::string_view key, std::vector<std::string_view> words, std
   return {key, Type::Choices, 0, 0, std::move(words), std::move(preset), "", help};
 }
 
+Parameter about(Part part, Parameter parameter) {
+  parameter.part = part;
+  return parameter;
+}
+
 /// The published encodings.
 Parameter slb_preset() {
   Parameter preset =
@@ -119,27 +124,41 @@ std::vector<Parameter> make_parameters() {
        "",
        "the way the light travels; replaces the lights of a scene file"},
       choice("up", {"y", "z"}, "which axis of the models points up"),
-      choice(
-          "system_hardware", {"top", "core", "golden"},
-          "engine system: the simulated hardware with its bus; its units alone, or golden, a word a cycle, "
-          "behind a front end in SystemC"),
-      integer_of("cache_kib", 0, {"0", "4", "8", "16", "32", "64"}, "KiB",
-                 "engine system: of each unit's cache, planes and lists in DRAM; 0: on chip"),
-      integer_of("line_ids", 16, {"8", "16", "32"}, "lines",
-                 "engine system: of the caches, that may be under way to DRAM, and as many from it"),
-      integer_of("axi_bits", 64, {"64", "128", "256", "512"}, "bits",
-                 "engine system: width of the hardware's way to memory"),
-      integer("memory_latency", 20, 0, 10000, "cycles", "engine system: of DRAM's controller and wires"),
-      integer("bus_latency", 2, 0, 10000, "cycles", "engine system: of a transaction, besides its target's"),
-      integer("quantum", 1000, 1, 1000000, "cycles",
-              "engine system: how far the processor may be ahead of the others"),
-      integer("dram_mib", 256, 32, 2048, "MiB", "engine system: size of the DRAM"),
-      integer("dram_banks", 8, 1, 1024, "banks", "engine system: each with one open row"),
-      integer("dram_row_bytes", 2048, 64, 65536, "bytes", "engine system: of a row of DRAM"),
-      integer("dram_rcd", 2, 0, 1000, "cycles", "engine system: to open a row of DRAM"),
-      integer("dram_rp", 2, 0, 1000, "cycles", "engine system: to close the row before"),
-      integer("dram_cas", 2, 0, 1000, "cycles", "engine system: to read a column of an open row"),
-      integer("dram_width", 8, 1, 64, "bytes", "engine system: that DRAM's data bus moves in a cycle"),
+      about(Part::System,
+            choice("system_hardware", {"top", "core", "golden"},
+                   "engine system: the simulated hardware with its bus; its units alone, or golden, a word a "
+                   "cycle, behind a front end in SystemC")),
+      about(
+          Part::Memory,
+          integer_of(
+              "cache_kib", 0, {"0", "4", "8", "16", "32", "64"}, "KiB",
+              "system, simulated or predicted: of each unit's cache, planes and lists in DRAM; 0: on chip")),
+      about(Part::Memory,
+            integer_of("line_ids", 16, {"8", "16", "32"}, "lines",
+                       "system, simulated or predicted: of the caches, that may be under way to DRAM, and as "
+                       "many from it")),
+      about(Part::Memory,
+            integer_of("axi_bits", 64, {"64", "128", "256", "512"}, "bits",
+                       "system, simulated or predicted: width of the hardware's way to memory")),
+      about(Part::Memory, integer("memory_latency", 20, 0, 10000, "cycles",
+                                  "system, simulated or predicted: of DRAM's controller and wires")),
+      about(Part::Memory, integer("bus_latency", 2, 0, 10000, "cycles",
+                                  "system, simulated or predicted: of a transaction, besides its target's")),
+      about(Part::System, integer("quantum", 1000, 1, 1000000, "cycles",
+                                  "engine system: how far the processor may be ahead of the others")),
+      about(Part::System, integer("dram_mib", 256, 32, 2048, "MiB", "engine system: size of the DRAM")),
+      about(Part::Memory, integer("dram_banks", 8, 1, 1024, "banks",
+                                  "system, simulated or predicted: each with one open row")),
+      about(Part::Memory, integer("dram_row_bytes", 2048, 64, 65536, "bytes",
+                                  "system, simulated or predicted: of a row of DRAM")),
+      about(Part::Memory, integer("dram_rcd", 2, 0, 1000, "cycles",
+                                  "system, simulated or predicted: to open a row of DRAM")),
+      about(Part::Memory, integer("dram_rp", 2, 0, 1000, "cycles",
+                                  "system, simulated or predicted: to close the row before")),
+      about(Part::Memory, integer("dram_cas", 2, 0, 1000, "cycles",
+                                  "system, simulated or predicted: to read a column of an open row")),
+      about(Part::Memory, integer("dram_width", 8, 1, 64, "bytes",
+                                  "system, simulated or predicted: that DRAM's data bus moves in a cycle")),
       number("clock_mhz", 100, 1, 10000, "MHz", "the clock at which cycles are told as time"),
       integer("image_width", 960, 16, 8192, "pixels", "width of the picture"),
       integer("image_height", 720, 16, 8192, "pixels", "height of the picture"),

@@ -28,6 +28,13 @@ struct Implied {
   Value preset;
 };
 
+/// What a parameter is about.
+enum class Part : std::uint8_t {
+  Run,
+  System,  ///< the simulated system alone
+  Memory,  ///< the way to memory, of the simulated system and of predicted cycles
+};
+
 struct Parameter {
   std::string_view key;
   Type type;
@@ -38,6 +45,7 @@ struct Parameter {
   std::string_view unit;  ///< empty where it has none
   std::string_view help;  ///< one line
   std::vector<Implied> implies = {};  ///< of Choice: what its words preset
+  Part part = Part::Run;
 
   /// "16..2048", "on | off", "x,y,z": what may be written after key=.
   std::string range() const;

@@ -16,7 +16,7 @@ namespace gnomon::sweep {
 namespace {
 
 /// What is not named here is taken for shared, so that a new parameter costs time at worst.
-constexpr std::array<std::string_view, 44> kOfTechnique{"technique",
+constexpr std::array<std::string_view, 30> kOfTechnique{"technique",
                                                         "plane",
                                                         "pitch",
                                                         "offset",
@@ -45,26 +45,12 @@ constexpr std::array<std::string_view, 44> kOfTechnique{"technique",
                                                         "map_memory",
                                                         "map_side",
                                                         "pcf_kernel",
-                                                        "ray_sag",
-                                                        "system_hardware",
-                                                        "cache_kib",
-                                                        "line_ids",
-                                                        "axi_bits",
-                                                        "memory_latency",
-                                                        "bus_latency",
-                                                        "quantum",
-                                                        "dram_mib",
-                                                        "dram_banks",
-                                                        "dram_row_bytes",
-                                                        "dram_rcd",
-                                                        "dram_rp",
-                                                        "dram_cas",
-                                                        "dram_width"};
+                                                        "ray_sag"};
 
 std::string shared_signature(const Task& task) {
   std::string text = task.scene.string();
   for (const config::Parameter& parameter : config::parameters()) {
-    if (of_technique(parameter.key)) continue;
+    if (of_technique(parameter)) continue;
     const config::Settings::Entry& entry = task.point.settings.entry(parameter.key);
     // Whether a light was asked for matters: one that was replaces the scene's own.
     text += fmt::format("\n{}={}{}", parameter.key, config::to_text(entry.value),
@@ -111,8 +97,9 @@ std::vector<std::vector<const Task*>> groups_of(const std::vector<Task>& tasks) 
   return groups;
 }
 
-bool of_technique(std::string_view key) {
-  return std::ranges::find(kOfTechnique, key) != kOfTechnique.end();
+bool of_technique(const config::Parameter& parameter) {
+  return parameter.part != config::Part::Run ||
+         std::ranges::find(kOfTechnique, parameter.key) != kOfTechnique.end();
 }
 
 std::string now() {

@@ -25,8 +25,8 @@ Row row_of(const Task& task);
 /// point. What is pointed at is `tasks`.
 std::vector<std::vector<const Task*>> groups_of(const std::vector<Task>& tasks);
 
-/// True for parameters that a technique alone looks at: what is not shared between points.
-bool of_technique(std::string_view key);
+/// True for parameters that a technique or the system alone looks at: what is not shared between points.
+bool of_technique(const config::Parameter& parameter);
 
 /// UTC, ISO 8601.
 std::string now();
