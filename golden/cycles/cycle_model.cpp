@@ -61,12 +61,11 @@ std::optional<Pass> streaming_pass(const Header& header) {
   return std::nullopt;
 }
 
-/// Lines that a clear scrubs, of a memory of 2^lines_log2.
-Cycle share(int lines_log2) {
+}  // namespace
+
+Cycle CycleModel::share(int lines_log2) {
   return ((Cycle{1} << lines_log2) + kGenerations - 1) / kGenerations;
 }
-
-}  // namespace
 
 CycleModel::CycleModel(const HardwareConfig& config, const HardwareTiming& timing)
     : config_(config),
@@ -76,21 +75,35 @@ CycleModel::CycleModel(const HardwareConfig& config, const HardwareTiming& timin
   if (config.en_slb) outline_.emplace(config.slb_config(), timing);
   if (config.en_frame_buffer) look_up_.emplace(timing);
   if (timing.system) ports_.emplace(config, *timing.system);
-  if (timing.system && timing.system->cache_log2 != 0)
-    ports_->caches().emplace_back(timing.system->cache_log2, plane_lines_log2(), 0,
-                                  timing.system->line_ids_log2);
+  if (timing.system && timing.system->cache_log2 != 0) build_caches(timing.system->cache_log2);
   reset_scrub();
   if (ports_) ports_->commands().expect(timing.system->job_words);
+}
+
+/// The silhouette-line buffer has half of a unit's cache for lanes and a quarter for fragments; topology mode
+/// half for heads and a quarter each for nodes and records.
+void CycleModel::build_caches(int size_log2) {
+  ports_->add_cache(CachedMemory::Plane, size_log2, plane_lines_log2());
+  if (config_.en_slb) {
+    const slb::SlbConfig slb = config_.slb_config();
+    ports_->add_cache(CachedMemory::Lanes, size_log2 - 1, SlbMemory::lane_lines_log2(slb));
+    ports_->add_cache(CachedMemory::Fragments, size_log2 - 2, SlbMemory::fragment_lines_log2(slb));
+    slb_memory_.emplace(slb);
+    draw_.emplace(slb, timing_);
+  }
+  if (!config_.en_vpu_topology) return;
+  ports_->add_cache(CachedMemory::Heads, size_log2 - 1, ListMemories::head_lines_log2(config_));
+  ports_->add_cache(CachedMemory::Nodes, size_log2 - 2, ListMemories::node_lines_log2(config_));
+  ports_->add_cache(CachedMemory::Records, size_log2 - 2, ListMemories::record_lines_log2(config_));
 }
 
 int CycleModel::plane_lines_log2() const {
   return 2 * config_.plane_log2 - kLineLog2;
 }
 
-/// One bit a line of a plane behind a cache, in words of 32, 16 of them scrubbed in a cycle.
-int CycleModel::touched_lines_log2() const {
-  const int words_log2 = plane_lines_log2() > 10 ? plane_lines_log2() - 5 : 5;
-  return words_log2 - kLineLog2;
+/// One bit a line of a memory behind a cache, in words of 32, 16 of them scrubbed in a cycle.
+int CycleModel::touched_lines_log2(int lines_log2) {
+  return (lines_log2 > 10 ? lines_log2 - 5 : 5) - kLineLog2;
 }
 
 int CycleModel::slb_lines_log2() const {
@@ -105,12 +118,18 @@ int CycleModel::frame_lines_log2() const {
 /// All memories at once. The decoder sees the end of the plane's scrubbing as it happens, that of the others
 /// a cycle later.
 void CycleModel::reset_scrub() {
-  Cycle scrubbed =
-      cache() == nullptr ? Cycle{1} << plane_lines_log2() : (Cycle{1} << touched_lines_log2()) + 1;
+  Cycle scrubbed = cache() == nullptr ? Cycle{1} << plane_lines_log2()
+                                      : (Cycle{1} << touched_lines_log2(plane_lines_log2())) + 1;
   const auto other = [&](bool there, int lines_log2) {
     if (there) scrubbed = std::max(scrubbed, (Cycle{1} << lines_log2) + 1);
   };
-  other(config_.en_vpu_topology, plane_lines_log2());
+  if (cache() == nullptr) {
+    other(config_.en_vpu_topology, plane_lines_log2());
+  } else {
+    other(config_.en_vpu_topology, touched_lines_log2(ListMemories::head_lines_log2(config_)));
+    other(config_.en_vpu_topology, touched_lines_log2(ListMemories::node_lines_log2(config_)));
+    other(config_.en_vpu_topology, touched_lines_log2(ListMemories::record_lines_log2(config_)));
+  }
   other(config_.en_slb, slb_lines_log2());
   other(config_.en_frame_buffer, frame_lines_log2());
   spend(Pass::Clear, scrubbed);
@@ -123,6 +142,7 @@ void CycleModel::header(const Header& header, bool in_error, const slb::FillSwee
   items_left_ = header.count;
   if (is(header, topology::TopologyOp::PutQuads) || is(header, topology::TopologyOp::ResolveTopology))
     if (!in_error) return begin_lists();
+  if (slb_memory_ && !in_error && kind_of(header.op) == Kind::Slb) return slb_header(pass, fill);
   if (ports_ && pass && (*pass == Pass::Query || kind_of(header.op) == Kind::Core)) return begin_items(*pass);
   if (ports_ && !(pass && run_.open())) await_word(true);
   if (in_error) {
@@ -138,7 +158,9 @@ void CycleModel::header(const Header& header, bool in_error, const slb::FillSwee
     case Kind::Slb:
       return slb_command(fill);
     case Kind::Topology:
-      if (is(header, topology::TopologyOp::ClearLists)) return clear_unit(plane_lines_log2());
+      if (is(header, topology::TopologyOp::ClearLists))
+        return cache() ? clear_lists() : clear_unit(plane_lines_log2());
+      if (cache()) return read_lists(topology::decode_entry_range(header.arg));
       return read(topology::decode_entry_range(header.arg).count, 0, kEndOfUnit);
     case Kind::Frame:
       return clear_unit(frame_lines_log2());
@@ -162,7 +184,7 @@ void CycleModel::clear_plane() {
   spend(Pass::Clear, 1);
   while (!plane->can_be_cleared(now_)) spend(Pass::Clear, 0, 1);
   plane->clear();
-  spend(Pass::Clear, 2 + share(touched_lines_log2()));
+  spend(Pass::Clear, 2 + share(touched_lines_log2(plane_lines_log2())));
 }
 
 void CycleModel::slb_command(const slb::FillSweep& fill) {
@@ -202,6 +224,7 @@ void CycleModel::read(Cycle entries, Cycle words, Cycle ends) {
 
 void CycleModel::close_if_complete() {
   if (items_left_ != 0 || !is(command_, slb::SlbOp::Loop) || (command_.flags & slb::kLoopMore) != 0) return;
+  if (slb_run_) return vertex_behind_cache({.closes = true});
   const Cycle taken = outline_->close(now_, run_);
   run_.take(taken, 1);
   elapse(taken + 1 - now_);
@@ -210,7 +233,9 @@ void CycleModel::close_if_complete() {
 void CycleModel::items(std::size_t count, const topology::ListWork& work) {
   items_left_ -= static_cast<std::uint32_t>(count);
   if (put_) {
-    for (const std::uint64_t entries : work.quads) put_->expect(entries);
+    for (const auto& quad : work.quads) put_->expect(quad.entries());
+  } else if (cached_put_) {
+    for (const auto& quad : work.quads) cached_put_->expect(quad);
   } else {
     walk_->expect(work, config_.en_frame_buffer && (command_.flags & frame::kKeep) != 0,
                   config_.en_frame_buffer && (command_.flags & frame::kQuiet) != 0);
@@ -234,6 +259,7 @@ void CycleModel::items(std::size_t count) {
 void CycleModel::items(const ItemWork& work) {
   if (work.items == 0) return;
   items_left_ -= static_cast<std::uint32_t>(work.items);
+  if (slb_run_) return pixels(work.each);
   if (items_) return take_items(work.each);
   if (ports_) return covers(work);
   const bool projects = is(command_, Op::ProjectVoxels);
@@ -250,6 +276,10 @@ void CycleModel::vertices(std::span<const Word> words) {
   for (const Word word : words) {
     slb::Vertex vertex = slb::decode_vertex(word, config);
     if (flat_) vertex.depth = 0;  // no quotient is wanted for it
+    if (slb_run_) {
+      vertex_behind_cache({.vertex = vertex});
+      continue;
+    }
     if (ports_) await_word(false);
     const Cycle taken = outline_->vertex(vertex, now_, run_);
     run_.take(taken, 1);

@@ -24,7 +24,7 @@ void CycleModel::submitted(std::size_t words) {
 }
 
 CacheClock* CycleModel::cache() {
-  return ports_ && !ports_->caches().empty() ? &ports_->caches().front() : nullptr;
+  return ports_ && ports_->has(CachedMemory::Plane) ? &ports_->cache(CachedMemory::Plane) : nullptr;
 }
 
 /// Cycles that belong to no pass, or in which a run waits.
@@ -87,8 +87,9 @@ Cycle CycleModel::take(std::size_t count) {
 }
 
 void CycleModel::end_run(bool more) {
+  if (slb_run_) return end_slb();
   if (items_) return end_items();
-  if (put_ || walk_) return end_lists(more);
+  if (put_ || cached_put_ || walk_) return end_lists(more);
   if (!run_.open()) return;
   if (outline_ && command_.op == static_cast<std::uint8_t>(slb::SlbOp::Loop))
     run_.drained_from(outline_->drained());
@@ -142,43 +143,6 @@ void CycleModel::covers(const ItemWork& work) {
     if (work.last_updating == i) run_.drained_from(taken + updated);
     if (work.last_writing == i) run_.drained_from(taken + updated + kWriteStages);
   }
-}
-
-void CycleModel::begin_lists() {
-  if (!put_ && !walk_) {
-    if (ports_) await_word(true);
-    if (command_.op == static_cast<std::uint8_t>(topology::TopologyOp::PutQuads))
-      put_.emplace(config_, timing_);
-    else
-      walk_.emplace(config_, timing_);
-  }
-  while (ports_ && !ports_->word()) list_cycle(false, false, true);
-  list_cycle(false, true, true);
-}
-
-/// One cycle of a run of PUT_QUADS or RESOLVE_TOPOLOGY; returns whether the item is taken.
-bool CycleModel::list_cycle(bool item, bool header, bool more) {
-  Beat beat = Beat::Nothing;
-  const bool word = !ports_ || ports_->word();
-  const bool room = !ports_ || ports_->room();
-  const bool taken = put_ ? put_->cycle(item && word, beat) : walk_->cycle(item && word, room, beat);
-  if (header) beat = Beat::Busy;
-  if (ports_ && beat == Beat::Nothing && !(word && !item)) beat = Beat::MemoryWait;
-  const Cause cause = beat == Beat::Busy         ? Cause::Busy
-                      : beat == Beat::MemoryWait ? Cause::MemoryWait
-                      : more                     ? Cause::Hazard
-                                                 : Cause::InputStarved;
-  ++table_.at(put_ ? Pass::Project : Pass::Resolve, cause);
-  ++now_;
-  takes_header_ = false;
-  if (ports_) ports_->cycle(taken || header, walk_ && walk_->gave(), false);
-  return taken;
-}
-
-void CycleModel::end_lists(bool more) {
-  while (!(put_ ? put_->idle() : walk_->idle())) list_cycle(false, false, more);
-  put_.reset();
-  walk_.reset();
 }
 
 void CycleModel::begin_items(Pass pass) {

@@ -53,7 +53,7 @@ class Fill {
   void span(std::span<const slb::FillLine> lines) {
     next_span_ = spans_.ask(next_span_) + 1;
     Cycle asked = spans_.answer();
-    const auto plain = [](const slb::FillLine& line) { return line.groups == 0; };
+    const auto plain = [](const slb::FillLine& line) { return line.plain(); };
     auto line = std::find_if_not(lines.begin(), lines.end(), plain);
     auto behind = line == lines.end() ? line : std::find_if_not(line + 1, lines.end(), plain);
     asked = step(asked, lines.begin(), line, behind);
@@ -69,10 +69,10 @@ class Fill {
   /// A line with lines, the plain ones before it, and those behind it; or plain ones alone. Returns when it
   /// is asked for.
   Cycle step(Cycle earliest, Line first, Line line, Line end) {
-    Cycle updates = line == end ? 0 : line->groups;
+    Cycle updates = line == end ? 0 : static_cast<Cycle>(line->groups());
     if (flat_)
       updates += static_cast<Cycle>(std::count_if(
-          first, end, [](const slb::FillLine& other) { return other.groups == 0 && other.covered; }));
+          first, end, [](const slb::FillLine& other) { return other.plain() && other.covered; }));
     const Cycle cycles = std::max<Cycle>(1, updates);
     const Cycle asked = lines_.ask(std::max(earliest, next_line_));
     next_line_ = asked + 1;

@@ -27,7 +27,7 @@ CacheClock::CacheClock(int size_log2, int lines_log2, std::uint32_t first, int l
       fills_(std::size_t{2} << line_ids_log2),
       victims_(std::size_t{4} << line_ids_log2) {}
 
-int CacheClock::way_of(std::uint32_t line) {
+int CacheClock::way_of(std::uint32_t line) const {
   const Set& set = set_of(line);
   return set.lines[0] == line ? 0 : set.lines[1] == line ? 1 : -1;
 }
@@ -39,10 +39,19 @@ bool CacheClock::room_for_miss(std::uint32_t line, Cycle now) const {
                               [&](const Victim& victim) { return victim.line == line && victim.gone > now; });
 }
 
+bool CacheClock::takes(const Request& request, Cycle now) const {
+  if (in_ram_ >= kQueue) return false;
+  return !request.line_wanted || way_of(request.line) >= 0 || room_for_miss(request.line, now);
+}
+
 CacheClock::Taken CacheClock::look_up(const Request& request, Cycle now) {
-  if (in_ram_ >= kQueue) return {};
+  if (!takes(request, now)) return {};
+  queued_ = true;
+  if (!request.line_wanted) {
+    queue_.push_back({.request = request, .from = now + kQueueStages});
+    return {.first = true};
+  }
   const int hit = way_of(request.line);
-  if (hit < 0 && !room_for_miss(request.line, now)) return {};
   Waiting waiting{.request = request, .miss = hit < 0, .from = now + kQueueStages};
   const int beside = hit >= 0 && request.beside ? way_of(request.beside_line) : -1;
   waiting.request.beside = beside >= 0;
@@ -56,7 +65,6 @@ CacheClock::Taken CacheClock::look_up(const Request& request, Cycle now) {
   }
   if (beside >= 0) set_of(request.beside_line).next = beside == 0 ? 1 : 0;
   queue_.push_back(waiting);
-  queued_ = true;
   return {true, beside >= 0};
 }
 

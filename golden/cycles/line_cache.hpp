@@ -26,8 +26,9 @@ class CacheClock {
   /// What is looked up: a line, and a read beside it.
   struct Request {
     std::uint32_t line = 0, beside_line = 0;
-    bool beside = false;  ///< wanted; and, when it is served, taken
-    bool writes = false;  ///< changes its line
+    bool beside = false;      ///< wanted; and, when it is served, taken
+    bool writes = false;      ///< changes its line
+    bool line_wanted = true;  ///< else it only keeps its place among the others
     std::uint8_t kind = 0;
   };
   struct Taken {
@@ -38,6 +39,8 @@ class CacheClock {
   /// of them can be under way each way.
   CacheClock(int size_log2, int lines_log2, std::uint32_t first, int line_ids_log2);
 
+  /// A request would be taken in this cycle.
+  bool takes(const Request& request, Cycle now) const;
   /// Looks up in this cycle.
   Taken look_up(const Request& request, Cycle now);
   /// The oldest request can be served in this cycle.
@@ -82,7 +85,8 @@ class CacheClock {
   };
 
   Set& set_of(std::uint32_t line) { return sets_[line & (sets_.size() - 1)]; }
-  int way_of(std::uint32_t line);
+  const Set& set_of(std::uint32_t line) const { return sets_[line & (sets_.size() - 1)]; }
+  int way_of(std::uint32_t line) const;
   bool room_for_miss(std::uint32_t line, Cycle now) const;
   void move_queue(Cycle now);
   void miss(const Request& request, Waiting& waiting, Cycle now);

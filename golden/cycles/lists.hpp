@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "ports.hpp"
 #include "run.hpp"
 
 namespace gnomon::golden::cycles {
@@ -55,25 +56,85 @@ class PutClock {
   std::deque<std::uint64_t> queue_;     ///< entries still to be linked
 };
 
+/// Where heads, nodes and records lie in lines (docs/cache.md), and what holds them.
+class ListMemories {
+ public:
+  /// `ports`: null with everything on the chip.
+  ListMemories(const HardwareConfig& config, Ports* ports) : config_(&config), ports_(ports) {}
+
+  static int head_lines_log2(const HardwareConfig& config);
+  static int node_lines_log2(const HardwareConfig& config);
+  static int record_lines_log2(const HardwareConfig& config);
+
+  bool cached() const { return ports_ != nullptr; }
+  CacheClock* cache(CachedMemory memory) const { return ports_ ? &ports_->cache(memory) : nullptr; }
+  std::uint32_t head_line(std::uint32_t u, std::uint32_t v) const;
+  std::uint32_t node_line(std::uint32_t index) const;
+  std::uint32_t record_line(std::uint32_t number) const;
+  /// Nothing is under way in any cache.
+  bool idle(Cycle now) const;
+
+ private:
+  const HardwareConfig* config_;
+  Ports* ports_;
+};
+
+/// PUT_QUADS with lists behind caches: heads are changed, then their nodes written; records beside them.
+class CachedPutClock {
+ public:
+  CachedPutClock(const HardwareConfig& config, const HardwareTiming& timing);
+
+  void expect(const topology::ListWork::Quad& quad) { expected_.push_back(quad); }
+  /// One cycle; `corner`: one is offered; `nodes`: in use, and counted on. Returns whether it is taken.
+  bool cycle(bool corner, Cycle now, const ListMemories& memories, std::uint32_t& nodes, Beat& beat);
+  bool idle(Cycle now, const ListMemories& memories) const;
+
+ private:
+  using Quad = topology::ListWork::Quad;
+  bool link(Cycle now, const ListMemories& memories, std::uint32_t& nodes);
+  bool record(Cycle now, const ListMemories& memories);
+  bool write_node(Cycle now, const ListMemories& memories);
+  void serve(Cycle now, const ListMemories& memories);
+
+  std::uint32_t most_nodes_;
+  std::size_t node_places_;
+  FrontEnd front_;
+  std::deque<Quad> expected_;  ///< quads whose corners are still on their way
+  int corners_ = 0;
+  std::optional<Quad> whole_;
+  std::deque<Quad> queue_;
+  std::uint64_t linked_ = 0;  ///< entries of the first one
+  bool recorded_ = false;     ///< it has its record, or needs none
+  std::size_t nodes_under_way_ = 0;
+  std::deque<std::optional<std::uint32_t>> updates_;  ///< of heads: the node that comes with each
+  struct Node {
+    std::uint32_t index = 0;
+    Cycle there = 0;
+  };
+  std::deque<Node> nodes_;  ///< to be written
+};
+
 /// RESOLVE_TOPOLOGY.
 class WalkClock {
  public:
-  WalkClock(const HardwareConfig& config, const HardwareTiming& timing);
+  /// Its first cycle is `now`; `cached`: lists lie behind caches.
+  WalkClock(const HardwareConfig& config, const HardwareTiming& timing, Cycle now, bool cached);
 
   /// The voxels of the next items, as golden saw them; `kept`: their states go to the frame buffer.
   void expect(const topology::ListWork& work, bool kept, bool quiet);
   /// One cycle; `voxel`: one is offered, `room`: a result would be taken. Returns whether the voxel is taken.
-  bool cycle(bool voxel, bool room, Beat& beat);
+  bool cycle(bool voxel, bool room, const ListMemories& memories, Beat& beat);
   /// The last cycle has given a result.
   bool gave() const { return gave_; }
-  bool idle() const;
+  bool idle(const ListMemories& memories) const;
 
  private:
   static constexpr Cycle kNever = UINT64_MAX;
   struct Voxel {
     std::uint32_t visited = 0;
-    std::size_t first = 0;  ///< its nodes in tested_
-    Cycle done = kNever;    ///< the result of its walk is there from then on
+    std::size_t first = 0;       ///< its nodes in all_nodes_
+    std::uint32_t u = 0, v = 0;  ///< of its entry
+    Cycle done = kNever;         ///< the result of its walk is there from then on
     bool kept = false, quiet = false;
   };
   /// A walk on its way round: at node `node` of its voxel.
@@ -83,14 +144,32 @@ class WalkClock {
   };
   enum class Pick : std::uint8_t { New, Tested, Other };
 
-  bool tested(const Token& token) const { return tested_[voxels_[token.voxel].first + token.node] != 0; }
+  /// Reads of a memory under way, in order.
+  struct Reads {
+    std::deque<Token> tokens;
+    std::size_t served = 0;  ///< of them, those whose entries are known to come
+
+    bool there(Cycle now) const { return !tokens.empty() && tokens.front().ready <= now; }
+    void leave() {
+      tokens.pop_front();
+      if (served != 0) --served;
+    }
+  };
+
+  using Node = topology::ListWork::Node;
+  const Node& node(const Token& token) const { return all_nodes_[voxels_[token.voxel].first + token.node]; }
+  bool tested(const Token& token) const { return node(token).tested; }
+  bool takes(const Reads& reads, CacheClock* cache, std::uint32_t line) const;
+  void ask(Reads& reads, Token token, CacheClock* cache, std::uint32_t line, Cycle more);
+  void serve(Reads& reads, CacheClock* cache, Cycle more, bool room);
   bool at_last(const Token& token) const { return token.node + 1 == voxels_[token.voxel].visited; }
   void give_result(bool room);
   void end_walks();
-  bool leave_seen(bool ends_full);
+  bool leave_seen(bool ends_full, const ListMemories& memories, bool& waits);
   bool see_node(bool seen_leaves);
   Pick choose() const;
-  void ask_node(Pick pick, std::uint32_t first);
+  Token next_node(Pick pick, std::uint32_t first) const;
+  void ask_node(Pick pick, const Token& token, const ListMemories& memories);
 
   Cycle now_ = 0, latency_, kept_until_ = 0;
   std::size_t places_;  ///< of the read ports' queues
@@ -98,12 +177,13 @@ class WalkClock {
   FrontEnd front_;
 
   std::vector<Voxel> voxels_;
-  std::vector<std::uint8_t> tested_;
+  std::vector<Node> all_nodes_;
   std::size_t offered_ = 0;          ///< the voxel that is taken next
-  std::deque<Token> heads_;          ///< asked for their list's head
+  Reads heads_;                      ///< of the lists of voxels
   std::deque<std::uint32_t> order_;  ///< voxels whose head is known
   std::size_t walking_ = 0;          ///< numbers in use
-  std::deque<Token> nodes_, tests_, tested_queue_, other_queue_;
+  Reads nodes_, tests_;
+  std::deque<Token> tested_queue_, other_queue_;
   std::deque<Token> ends_;  ///< told by a node without a test
   std::optional<Token> seen_, spare_;
   Pick pick_ = Pick::New;

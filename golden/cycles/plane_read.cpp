@@ -20,8 +20,12 @@ std::uint32_t spread(std::uint32_t bits) {
 
 }  // namespace
 
+std::uint32_t in_turns(std::uint32_t u, std::uint32_t v) {
+  return spread(u) | spread(v) << 1U;
+}
+
 std::uint32_t line_of_entry(std::uint32_t u, std::uint32_t v) {
-  return spread(u >> kTileLog2) | spread(v >> kTileLog2) << 1U;
+  return in_turns(u >> kTileLog2, v >> kTileLog2);
 }
 
 PlaneRead::PlaneRead(std::uint32_t first, std::uint32_t count, int plane_log2, const HardwareTiming& timing)

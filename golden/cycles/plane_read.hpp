@@ -10,6 +10,8 @@
 
 namespace gnomon::golden::cycles {
 
+/// Bits of u and v in turns, u's lowest.
+std::uint32_t in_turns(std::uint32_t u, std::uint32_t v);
 /// A line is a tile of 4 x 4 entries, tiles lie in Morton order (docs/cache.md).
 std::uint32_t line_of_entry(std::uint32_t u, std::uint32_t v);
 

@@ -24,7 +24,7 @@ constexpr std::uint64_t in_blocks(std::uint64_t bytes) {
 std::uint64_t bytes_of_planes(const HardwareConfig& config) {
   const std::uint64_t entries = std::uint64_t{1} << (2 * config.plane_log2);
   const std::uint64_t pixels = std::uint64_t{1} << (2 * config.slb_plane_log2);
-  std::uint64_t bytes = config.en_vpu_offset ? in_blocks(4 * entries) : 0;
+  std::uint64_t bytes = in_blocks(4 * entries);  // the plane, whatever else is built
   if (config.en_slb) bytes += in_blocks(4 * pixels) + in_blocks(64 * pixels);
   if (config.en_vpu_topology)
     bytes += in_blocks(8 * entries) + in_blocks(std::uint64_t{16} << config.nodes_log2) +
@@ -114,9 +114,17 @@ Ports::Ports(const HardwareConfig& config, const SystemTiming& timing)
       results_(kSoftware + kSoftwareAccesses * timing.latency),
       dram_(timing),
       whole_(std::size_t{1} << timing.line_ids_log2, CacheClock::kNever) {
+  places_.fill(kNoCache);
   fetches_.ids.resize(whole_.size());
   backs_.ids.resize(whole_.size());
   for (const std::uint64_t place : {kJobTable, kCommandRing}) dram_.open(place);
+}
+
+/// Each at a multiple of a block.
+void Ports::add_cache(CachedMemory memory, int size_log2, int lines_log2) {
+  places_[static_cast<std::size_t>(memory)] = caches_.size();
+  caches_.emplace_back(size_log2, lines_log2, lines_, timing_.line_ids_log2);
+  lines_ += std::max(static_cast<std::uint32_t>(kBlock / kLineBytes), std::uint32_t{1} << lines_log2);
 }
 
 void Ports::cycle(bool takes, bool gives, bool quiet) {

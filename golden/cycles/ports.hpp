@@ -75,6 +75,10 @@ class ResultDma {
   bool send_ = false, answered_now_ = false;
 };
 
+/// Memories that may lie behind a cache, in their order in memory and at the line port.
+enum class CachedMemory : std::uint8_t { Plane, Lanes, Fragments, Heads, Nodes, Records };
+inline constexpr std::size_t kCachedMemories = 6;
+
 /// Grants users by priority; one that has waited for more than 64 grants of others goes first once.
 template <std::size_t kUsers>
 class Grant {
@@ -96,13 +100,18 @@ class Ports {
   bool word() const { return commands_.word(); }
   /// A result is taken in this cycle, if one is given.
   bool room() const { return results_.room(); }
-  std::vector<CacheClock>& caches() { return caches_; }
+  /// Behind a cache of its own from now on. Memories come in their order.
+  void add_cache(CachedMemory memory, int size_log2, int lines_log2);
+  bool has(CachedMemory memory) const { return place_of(memory) != kNoCache; }
+  CacheClock& cache(CachedMemory memory) { return caches_[place_of(memory)]; }
+  const CacheClock& cache(CachedMemory memory) const { return caches_[place_of(memory)]; }
   Cycle now() const { return now_; }
   /// One cycle: the decoder takes a word, a unit gives a result; `quiet`: nothing is under way in any unit.
   void cycle(bool takes, bool gives, bool quiet);
 
  private:
   static constexpr std::uint32_t kMostIds = 32, kCommandUser = kMostIds;
+  static constexpr std::size_t kNoCache = SIZE_MAX;
   static constexpr std::size_t kOverCommands = 0, kOverLines = 1;
   struct Read {
     std::uint32_t user = 0, beats = 0;
@@ -136,6 +145,7 @@ class Ports {
     std::size_t turn = 0;
   };
 
+  std::size_t place_of(CachedMemory memory) const { return places_[static_cast<std::size_t>(memory)]; }
   void hand_out_answers();
   void hand_out_line();
   void reach_memory();
@@ -151,6 +161,8 @@ class Ports {
   CommandFetch commands_;
   ResultDma results_;
   std::vector<CacheClock> caches_;
+  std::array<std::size_t, kCachedMemories> places_;  ///< in caches_
+  std::uint32_t lines_ = 0;                          ///< of all memories behind caches
   DramClock dram_;
   std::deque<Read> reads_;
   std::deque<Written> written_;

@@ -27,11 +27,6 @@ std::optional<std::string> HardwareTiming::check() const {
   return system ? system->check() : std::nullopt;
 }
 
-bool predictable(const HardwareConfig& config, const HardwareTiming& timing) {
-  const bool cached = timing.system && timing.system->cache_log2 != 0;
-  return !cached || (!config.en_slb && !config.en_vpu_topology);
-}
-
 std::optional<std::string> SystemTiming::check() const {
   if (cache_log2 != 0 && (cache_log2 < kLeastCacheLog2 || cache_log2 > kMostCacheLog2))
     return "CACHE_LOG2 = " + std::to_string(cache_log2) + " is neither 0 nor in 12..16";

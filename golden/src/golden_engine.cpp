@@ -18,10 +18,8 @@ HardwareConfig checked(const HardwareConfig& config) {
   return config;
 }
 
-HardwareTiming checked(const HardwareConfig& config, const HardwareTiming& timing) {
+HardwareTiming checked(const HardwareTiming& timing) {
   if (const auto error = timing.check()) throw std::invalid_argument(*error);
-  if (!predictable(config, timing))
-    throw std::invalid_argument("lists and lines behind caches are not predicted");
   return timing;
 }
 
@@ -163,6 +161,8 @@ void GoldenEngine::tell_items(std::span<const Word> items) {
   if (op == static_cast<std::uint8_t>(Op::ResolveVoxels) && clock.asks_for_items())
     return clock.items(
         {.items = items.size(), .each = resolved_items(state_.vpu, config_, items, state_.command.flags)});
+  if (op == static_cast<std::uint8_t>(slb::SlbOp::Query) && clock.asks_for_pixels())
+    return clock.items({.items = items.size(), .each = queried_items(state_.slb->model().config(), items)});
   clock.items(items.size());
 }
 
@@ -324,12 +324,12 @@ std::unique_ptr<Engine> make_golden_engine(const HardwareConfig& config) {
 }
 
 std::unique_ptr<Engine> make_timed_golden_engine(const HardwareConfig& config, const HardwareTiming& timing) {
-  return std::make_unique<GoldenEngine>(config, checked(config, timing));
+  return std::make_unique<GoldenEngine>(config, checked(timing));
 }
 
 CycleTable predict_cycles(const HardwareConfig& config, const HardwareTiming& timing,
                           std::span<const Word> words) {
-  HardwareTiming job = checked(config, timing);
+  HardwareTiming job = checked(timing);
   if (job.system) job.system->job_words = words.size();
   GoldenEngine engine(config, job);
   engine.submit(words);

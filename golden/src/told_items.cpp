@@ -58,16 +58,37 @@ std::vector<cycles::Item> resolved_items(const Vpu& vpu, const HardwareConfig& c
   return items;
 }
 
+/// Of a point off the plane that with the low bits of its column and row.
+std::vector<cycles::Item> queried_items(const slb::SlbConfig& config, std::span<const Word> words) {
+  const std::int64_t mask = config.side() - 1;
+  std::vector<cycles::Item> items;
+  items.reserve(words.size());
+  for (const Word word : words) {
+    const slb::QueryPoint point = slb::decode_query(word, config);
+    const std::int64_t column = point.x >> config.query_bits & mask,
+                       row = point.y >> config.query_bits & mask;
+    items.push_back({.line = static_cast<std::uint32_t>(row << config.plane_log2 | column)});
+  }
+  return items;
+}
+
 cycles::ItemWork take_covers(slb::SlbUnit& unit, const slb::FillSweep& swept, std::span<const Word> items) {
   const slb::SlbModel& model = unit.model();
   cycles::ItemWork work{.items = items.size()};
   for (std::size_t i = 0; i < items.size(); ++i) {
     const slb::CoverSample sample = slb::decode_cover(items[i], model.config());
     const bool column_on = sample.column >= 0 && sample.column < model.config().side();
-    if (column_on && sample.row >= swept.first_row && sample.row <= swept.last_row) work.last_updating = i;
+    const bool updates = column_on && sample.row >= swept.first_row && sample.row <= swept.last_row;
+    if (updates) work.last_updating = i;
     const std::uint64_t used = model.counters().covers_used;
     unit.take(items.subspan(i, 1));
-    if (model.counters().covers_used != used) work.last_writing = i;
+    const bool writes = model.counters().covers_used != used;
+    if (writes) work.last_writing = i;
+    work.each.push_back(
+        {.line = updates ? static_cast<std::uint32_t>(sample.row << model.config().plane_log2 | sample.column)
+                         : 0,
+         .updates = updates,
+         .writes = writes});
   }
   return work;
 }

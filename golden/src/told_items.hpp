@@ -20,6 +20,9 @@ std::uint32_t line_of(const PlanePoint& point, int plane_log2);
 std::vector<cycles::Item> resolved_items(const Vpu& vpu, const HardwareConfig& config,
                                          std::span<const Word> words, std::uint8_t flags);
 
+/// Items of QUERY: the pixel that each reads.
+std::vector<cycles::Item> queried_items(const slb::SlbConfig& config, std::span<const Word> words);
+
 /// Gives items of COVER to the unit one by one, to see which of them go to the memory, and which change it.
 /// `swept`: by the FILL before.
 cycles::ItemWork take_covers(slb::SlbUnit& unit, const slb::FillSweep& swept, std::span<const Word> items);

@@ -114,7 +114,6 @@ std::unique_ptr<golden::Engine> make_predicting_engine(const RunRequest& request
     timing = cycle_timing(system);
     timing.system->job_words = words;
   }
-  if (!golden::predictable(config, timing)) return golden::make_golden_engine(config);
   return golden::make_timed_golden_engine(config, timing);
 }
 

@@ -162,9 +162,9 @@ void SlbModel::note_row(std::span<const Winding::Pixel> row) {
   const std::size_t pixels = std::min<std::size_t>(kLinePixels, row.size());
   for (std::size_t first = 0; first < row.size(); first += pixels) {
     const auto line = row.subspan(first, pixels);
-    const auto groups =
-        std::count_if(line.begin(), line.end(), [](const auto& pixel) { return pixel.lines; });
-    sweep_->lines.push_back({static_cast<std::uint8_t>(groups), line.back().winding >= 1});
+    unsigned with_lines = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) with_lines |= line[i].lines ? 1U << i : 0U;
+    sweep_->lines.push_back({static_cast<std::uint16_t>(with_lines), line.back().winding >= 1});
   }
 }
 

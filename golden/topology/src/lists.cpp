@@ -72,7 +72,7 @@ void QuadLists::put_behind(bool all_corners) {
   ++counters_.quads_put;
   ++(all_corners ? counters_.quads_behind : counters_.quads_straddling);
   sticky_.behind_light = true;
-  note_quad(0);
+  note_quad({});
 }
 
 QuadLists::Box QuadLists::box_of(const std::array<Corner, 4>& corners, int sub_bits) {
@@ -104,14 +104,19 @@ void QuadLists::put(const std::array<Corner, 4>& corners) {
     return Range{std::max<std::int64_t>(r.low, 0), std::min(r.high, config_.side() - 1)};
   };
   const Box clipped{clip(box.u), clip(box.v)};
-  if (!meets_plane(corners, box, clipped)) return note_quad(0);
-  note_quad(static_cast<std::uint64_t>((clipped.u.high - clipped.u.low + 1) *
-                                       (clipped.v.high - clipped.v.low + 1)));
+  if (!meets_plane(corners, box, clipped)) return note_quad({});
 
   const std::int64_t span = std::int64_t{1} << config_.span_log2;
   const bool small = box.u.high - box.u.low < span && box.v.high - box.v.low < span;
   if (!small) ++counters_.quads_too_large;
   const bool storable = small && number < std::min(std::uint32_t{1} << config_.quads_log2, kNoQuad);
+  const auto size = [](const Range& r) { return static_cast<std::uint32_t>(r.high - r.low + 1); };
+  note_quad({.number = number,
+             .u = static_cast<std::uint32_t>(clipped.u.low),
+             .v = static_cast<std::uint32_t>(clipped.v.low),
+             .columns = size(clipped.u),
+             .rows = size(clipped.v),
+             .storable = storable});
   if (storable) {
     records_.resize(number + std::size_t{1});
     for (std::size_t i = 0; i < 4; ++i) records_[number][i] = {corners[i].u, corners[i].v};
@@ -139,6 +144,18 @@ void QuadLists::link(std::size_t index, std::uint32_t quad, std::uint32_t far, b
   ++counters_.nodes_linked;
 }
 
+/// A place on the plane has two bits more than the plane, and is saturated to them.
+void QuadLists::note_beam(const Beam& beam) {
+  if (!work_) return;
+  const std::int64_t most = (config_.side() << (config_.sub_bits + 1)) - 1;
+  const auto entry = [&](std::int64_t place) {
+    return static_cast<std::uint32_t>(std::clamp(place, -most - 1, most) >> config_.sub_bits &
+                                      (config_.side() - 1));
+  };
+  work_->voxels.back().u = entry(beam.u);
+  work_->voxels.back().v = entry(beam.v);
+}
+
 Walk QuadLists::walk(const Beam& beam, std::uint32_t clearance, bool sorted) {
   const auto index = (static_cast<std::size_t>(beam.v >> config_.sub_bits) << config_.plane_log2) +
                      static_cast<std::size_t>(beam.u >> config_.sub_bits);
@@ -150,7 +167,7 @@ Walk QuadLists::walk(const Beam& beam, std::uint32_t clearance, bool sorted) {
   for (std::uint32_t n = head.node; n != kNoNode && !walk.hit; n = nodes_[n].next) {
     const Node& node = nodes_[n];
     ++walk.visited;
-    note_node(nearer(node.far));
+    note_node(n, nearer(node.far));
     if (!nearer(node.far)) {
       if (sorted) break;
       continue;

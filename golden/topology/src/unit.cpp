@@ -136,8 +136,11 @@ TopologyResult TopologyUnit::resolve(const Item& voxel, bool two_sided, std::uin
 TopologyResult TopologyUnit::answer(const Item& voxel, bool two_sided, std::uint32_t clearance, bool sorted) {
   Projected normal = gradient(voxel);
   if (two_sided && normal.d > 0) normal = negated(normal);
-  if (normal.d >= 0) return {.shadow = true, .facing_away = true};
+  const bool away = normal.d >= 0;
+  if (away && !lists_.watched()) return {.shadow = true, .facing_away = true};
   const Beam beam = land_beam(project(voxel), normal, registers_.offset_factor, lists_.config());
+  lists_.note_beam(beam);
+  if (away) return {.shadow = true, .facing_away = true};
   return walk(beam, clearance, sorted);
 }
 
@@ -147,13 +150,19 @@ TopologyResult TopologyUnit::answer_in_perspective(const Item& voxel, bool two_s
   const Projected point = project(voxel);
   const perspective::Sight sight = light.see(point.u, point.v, voxel.position);
   if (sight.behind) return {.shadow = true, .behind = true};
-  if (light.outside_cone(sight)) return {.shadow = true, .outside_cone = true};
+  const bool outside = light.outside_cone(sight);
+  if (outside && !lists_.watched()) return {.shadow = true, .outside_cone = true};
   const Projected normal = gradient(voxel);
   perspective::Slope slope = light.slope(normal.u, normal.v, voxel);
   if (two_sided && slope.d > 0) slope = -slope;
-  if (slope.d >= 0) return {.shadow = true, .facing_away = true};
+  const bool away = slope.d >= 0;
+  if (away && !lists_.watched()) return {.shadow = true, .facing_away = true};
   const perspective::Moved moved = light.move(sight, slope, registers_.offset_factor, clearance);
-  return walk(land_beam(moved, lists_.config()), 0, sorted);
+  const Beam beam = land_beam(moved, lists_.config());
+  lists_.note_beam(beam);
+  if (outside) return {.shadow = true, .outside_cone = true};
+  if (away) return {.shadow = true, .facing_away = true};
+  return walk(beam, 0, sorted);
 }
 
 TopologyResult TopologyUnit::walk(const Beam& beam, std::uint32_t clearance, bool sorted) {

@@ -108,7 +108,7 @@ TEST_F(RunTest, GoldenAloneComparesNothing) {
   EXPECT_THAT(content("report.html"), HasSubstr("golden engine ran alone"));
 }
 
-/// Golden predicts the cycles of the memory that was asked for, where the model knows it.
+/// Golden predicts the cycles of the memory that was asked for.
 TEST_F(RunTest, AMemoryThatIsGivenIsPredicted) {
   RunRequest golden = request();
   golden.engine = EngineKind::Golden;
@@ -125,7 +125,7 @@ TEST_F(RunTest, AMemoryThatIsGivenIsPredicted) {
   golden.settings.system.cache_log2 = 12;
   EXPECT_LT(predicted()["by_pass"]["CLEAR"]["total"], far["by_pass"]["CLEAR"]["total"]);
   golden.settings.techniques = {"voxel-topology"};
-  EXPECT_TRUE(predicted().is_null()) << "lists behind a cache";
+  EXPECT_GT(predicted()["by_pass"]["PROJECT"]["total"], 1'000) << "lists behind a cache";
 }
 
 TEST_F(RunTest, AWordThatDiffersIsShownAndFails) {

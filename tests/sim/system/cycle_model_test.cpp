@@ -35,10 +35,19 @@ void PrintTo(const Build& build, std::ostream* out) {
   *out << build.name;
 }
 
-/// Planes on the chip; in a cache that holds all of them; in one that holds a sixteenth.
+/// Planes on the chip; in a cache that holds all of them; in one that holds a sixteenth, and so do those of
+/// the other units.
 const Build kBuilds[] = {{"on_chip", {.plane_log2 = 5}, 0, 64},
                          {"wide_bus", {.plane_log2 = 5}, 12, 128},
-                         {"cached", {.plane_log2 = 7}, 12, 64}};
+                         {"cached",
+                          {.plane_log2 = 7,
+                           .en_vpu_topology = true,
+                           .nodes_log2 = 14,
+                           .quads_log2 = 12,
+                           .en_slb = true,
+                           .slb_plane_log2 = 6},
+                          12,
+                          64}};
 
 SystemOptions options_of(const Build& build, std::uint32_t latency) {
   SystemOptions options;
@@ -115,6 +124,20 @@ TEST_P(SystemCycles, AreThoseOfRandomStreams) {
     const Words words = stimulus::random_stream(GetParam().config, {.seed = latency, .commands = 150});
     const CycleTable measured = measure(GetParam(), latency, words);
     EXPECT_THAT(far_off(measured, predict(GetParam(), latency, words), 40), testing::IsEmpty()) << latency;
+  }
+}
+
+/// Objects drawn, filled, covered and asked about, quads put and walked, each many times its caches' size.
+TEST(SystemCycleModel, KnowsEveryUnitBehindItsCaches) {
+  const Build& build = kBuilds[2];
+  for (const std::uint32_t latency : {50u, 200u}) {
+    const Words words = stimulus::random_stream(
+        build.config, {.seed = latency, .commands = 600, .max_items = 200, .illegal_percent = 0});
+    const CycleTable measured = measure(build, latency, words);
+    EXPECT_THAT(far_off(measured, predict(build, latency, words), 40), testing::IsEmpty()) << latency;
+    for (const Pass pass : {Pass::Project, Pass::Resolve, Pass::Read, Pass::Draw, Pass::Fill, Pass::Query})
+      EXPECT_GT(measured.of(pass), 4'000u) << static_cast<int>(pass);
+    EXPECT_GT(measured.of(Pass::Cover), 1'000u);
   }
 }
 

@@ -46,9 +46,6 @@ struct HardwareTiming {
   bool operator==(const HardwareTiming&) const = default;
 };
 
-/// Whether cycles are predicted at all: not for the silhouette-line buffer and topology mode behind caches.
-bool predictable(const HardwareConfig& config, const HardwareTiming& timing);
-
 /// Whose work a cycle is, and what became of it (docs/command-stream.md, "Counters").
 enum class Pass : std::uint8_t { Idle, Control, Clear, Project, Resolve, Read, Draw, Fill, Cover, Query };
 enum class Cause : std::uint8_t { Busy, InputStarved, OutputBlocked, MemoryWait, Hazard, Idle };
@@ -74,8 +71,8 @@ class CycleTable {
 
 /// The golden engine, which also predicts: counters().cycles holds the 60 cells of everything submitted so
 /// far, to the end of its drain, with no port ever held back and the next word always there; IDLE is 0.
-/// Results and events are those of make_golden_engine. `config` and `timing` must pass check() and be
-/// predictable; throws std::invalid_argument otherwise.
+/// Results and events are those of make_golden_engine. `config` and `timing` must pass check(); throws
+/// std::invalid_argument otherwise.
 std::unique_ptr<Engine> make_timed_golden_engine(const HardwareConfig& config, const HardwareTiming& timing);
 
 /// Executes the stream and gives the cycles alone.

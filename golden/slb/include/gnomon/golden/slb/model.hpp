@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <gnomon/golden/slb/chain_builder.hpp>
 #include <gnomon/golden/slb/fragment_store.hpp>
@@ -62,8 +63,11 @@ struct CoverSample {
 
 /// What FILL met in a line of pixels; a row is cut into lines of kLinePixels, or is one if it has fewer.
 struct FillLine {
-  std::uint8_t groups = 0;  ///< pixels with lines
-  bool covered = false;     ///< the object wholly covers the line's last pixel, by its winding number
+  std::uint16_t pixels = 0;  ///< those with lines, the first one's bit lowest
+  bool covered = false;      ///< the object wholly covers the line's last pixel, by its winding number
+
+  int groups() const { return std::popcount(pixels); }
+  bool plain() const { return pixels == 0; }
 };
 inline constexpr int kLinePixels = 16;
 

@@ -67,11 +67,27 @@ struct Walk {
   std::uint64_t visited = 0, tested = 0;
 };
 
-/// How much work quads and voxels were: no answer depends on it.
+/// How much work quads and voxels were, and where: no answer depends on it.
 struct ListWork {
-  std::vector<std::uint64_t> quads;   ///< entries that each quad put was offered to; 0 if it was not linked
-  std::vector<std::uint32_t> voxels;  ///< nodes visited for each voxel resolved
-  std::vector<std::uint8_t> tested;   ///< for each of these nodes: its quad was tested
+  /// The entries that a quad put was offered to; none if it was not linked at all.
+  struct Quad {
+    std::uint32_t number = 0;
+    std::uint32_t u = 0, v = 0, columns = 0, rows = 0;
+    bool storable = false;  ///< has a record, and nodes while there are some
+
+    std::uint64_t entries() const { return std::uint64_t{columns} * rows; }
+  };
+  struct Voxel {
+    std::uint32_t visited = 0;   ///< nodes
+    std::uint32_t u = 0, v = 0;  ///< of its entry; off the plane with their low bits alone
+  };
+  struct Node {
+    std::uint32_t index = 0, quad = 0;
+    bool tested = false;  ///< its quad was
+  };
+  std::vector<Quad> quads;
+  std::vector<Voxel> voxels;
+  std::vector<Node> nodes;  ///< visited for these voxels
 };
 
 class QuadLists {
@@ -104,8 +120,11 @@ class QuadLists {
   void watch(ListWork* work) { work_ = work; }
   /// A voxel is resolved; what its walk visits counts for it.
   void note_voxel() {
-    if (work_) work_->voxels.push_back(0);
+    if (work_) work_->voxels.emplace_back();
   }
+  bool watched() const { return work_ != nullptr; }
+  /// The voxel's beam, which may miss the plane or not be looked for.
+  void note_beam(const Beam& beam);
 
  private:
   static constexpr std::uint32_t kNoNode = 0xFFFFFFFF;
@@ -133,13 +152,13 @@ class QuadLists {
 
   void link(std::size_t index, std::uint32_t quad, std::uint32_t far, bool storable);
   std::uint32_t next_number();
-  void note_quad(std::uint64_t entries) {
-    if (work_) work_->quads.push_back(entries);
+  void note_quad(const ListWork::Quad& quad) {
+    if (work_) work_->quads.push_back(quad);
   }
-  void note_node(bool tested) {
+  void note_node(std::uint32_t index, bool tested) {
     if (!work_) return;
-    ++work_->voxels.back();
-    work_->tested.push_back(tested ? 1 : 0);
+    ++work_->voxels.back().visited;
+    work_->nodes.push_back({index, nodes_[index].quad, tested});
   }
   static Box box_of(const std::array<Corner, 4>& corners, int sub_bits);
   bool meets_plane(const std::array<Corner, 4>& corners, const Box& box, const Box& clipped);
