@@ -66,7 +66,8 @@ class LineMemory {
       lines_[write.address] = write.line;
       writes_.erase(writes_.begin() + static_cast<std::ptrdiff_t>(*written_));
     }
-    Port out{model.lines_o}, in{model.lines_i};
+    const Port out{model.lines_o};
+    const Port in{model.lines_i};
     if (out.get(kReadValid) != 0 && in.get(kReadReady) != 0)
       take_read(out.get(kReadLine), static_cast<std::uint32_t>(out.get(kReadId)));
     if (out.get(kWriteValid) != 0 && in.get(kWriteReady) != 0) {
@@ -100,6 +101,7 @@ class LineMemory {
   /// A port of many bits, in words of 32.
   template <class Words>
   struct Port {
+    explicit Port(Words& all) : words(all) {}
     Words& words;
     std::uint64_t get(const Bits& bits) const {
       std::uint64_t value = 0;
