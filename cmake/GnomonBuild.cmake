@@ -22,12 +22,28 @@ endif()
 option(GNOMON_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(GNOMON_COVERAGE "Instrument for gcov" OFF)
 option(GNOMON_TIDY "Run clang-tidy on every translation unit" OFF)
+option(GNOMON_UNITY "Compile several sources at once" OFF)
+
+# For folders whose sources are compiled several at once where that is asked for: most of a compiler's work is on their headers
+# (docs/building.md). The calling folder and those below; gnomon_compile_alone(sources...): but for these, whose names in unnamed
+# namespaces others have too.
+macro(gnomon_compile_together)
+  set(CMAKE_UNITY_BUILD ${GNOMON_UNITY})
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+endmacro()
+function(gnomon_compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
 
 # Link this to every target of our own: warnings are errors, the instrumentation follows the preset.
 add_library(gnomon_build INTERFACE)
 add_library(gnomon::build ALIAS gnomon_build)
 target_compile_options(gnomon_build INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wnon-virtual-dtor -Werror)
+if(GNOMON_UNITY)
+  # A member whose type is in an unnamed namespace: meant for headers, seen wherever a source is included.
+  target_compile_options(gnomon_build INTERFACE -Wno-subobject-linkage)
+endif()
 # No fused multiply-add behind our back: results must not depend on the optimiser's choices.
 target_compile_options(gnomon_build INTERFACE -ffp-contract=off)
 if(GNOMON_SANITIZE)
