@@ -45,7 +45,7 @@ Loop loop_off_the_plane(std::mt19937& random, const slb::SlbConfig& config) {
   Loop loop;
   for (std::int64_t left = pick(1, 40); left != 0; --left) {
     at.x = std::clamp(at.x + pick(-reach, reach), std::int64_t{config.side()} << config.subpixel_bits,
-                      (std::int64_t{2 * config.side()} << config.subpixel_bits) - 1);
+                      (std::int64_t{config.side()} << (config.subpixel_bits + 1)) - 1);
     at.y += pick(-reach, reach) / 8;
     at.depth = static_cast<std::uint32_t>(pick(0, 3));
     loop.push_back(at);
@@ -94,9 +94,11 @@ TEST_F(Cached, FillTakesTheStepsOfTheChip) {
   std::mt19937 random(3);
   for (const bool flat : {false, true}) {
     slb::FillSweep sweep{.first_row = 4, .last_row = 11, .lines = {}};
-    for (int i = 0; i < 16; ++i)
-      sweep.lines.push_back(
-          {static_cast<std::uint16_t>(random() & random() & random() & 0xFFFFU), random() % 2 == 0});
+    for (int i = 0; i < 16; ++i) {
+      std::uint32_t pixels = 0xFFFF;
+      for (int draw = 0; draw < 3; ++draw) pixels &= static_cast<std::uint32_t>(random());
+      sweep.lines.push_back({static_cast<std::uint16_t>(pixels), random() % 2 == 0});
+    }
     sweep.lines[3] = sweep.lines[4] = {};
     FillClock fill(sweep, flat, slb_, {});
     const Cycle start = ports_.now();
