@@ -5,33 +5,18 @@
 `include "assertions.svh"
 
 module axil_slave (
-  input  logic        clk_i,
-  input  logic        rst_ni,
-  input  logic        s_axil_awvalid_i,
-  output logic        s_axil_awready_o,
-  input  logic [11:0] s_axil_awaddr_i,
-  input  logic        s_axil_wvalid_i,
-  output logic        s_axil_wready_o,
-  input  logic [31:0] s_axil_wdata_i,
-  input  logic [3:0]  s_axil_wstrb_i,
-  output logic        s_axil_bvalid_o,
-  input  logic        s_axil_bready_i,
-  output logic [1:0]  s_axil_bresp_o,
-  input  logic        s_axil_arvalid_i,
-  output logic        s_axil_arready_o,
-  input  logic [11:0] s_axil_araddr_i,
-  output logic        s_axil_rvalid_o,
-  input  logic        s_axil_rready_i,
-  output logic [31:0] s_axil_rdata_o,
-  output logic [1:0]  s_axil_rresp_o,
+  input  logic                   clk_i,
+  input  logic                   rst_ni,
+  input  system_pkg::axil_want_t axil_i,
+  output system_pkg::axil_give_t axil_o,
   // Registers: combinational answers.
-  output logic        write_o,         // a good write happens in this cycle, if the register is known
-  output logic [11:0] write_offset_o,
-  output logic [31:0] write_data_o,
-  input  logic        write_known_i,
-  output logic [11:0] read_offset_o,
-  input  logic [31:0] read_data_i,
-  input  logic        read_known_i
+  output logic                   write_o,  // a good write happens in this cycle, if the register is known
+  output logic [11:0]            write_offset_o,
+  output logic [31:0]            write_data_o,
+  input  logic                   write_known_i,
+  output logic [11:0]            read_offset_o,
+  input  logic [31:0]            read_data_i,
+  input  logic                   read_known_i
 );
 
   localparam logic [1:0] OKAY   = 2'b00;
@@ -42,15 +27,15 @@ module axil_slave (
   logic [11:0] aw_q;
   logic [31:0] w_q;
   logic [1:0]  b_q;
-  assign s_axil_awready_o = !aw_valid_q;
-  assign s_axil_wready_o  = !w_valid_q;
-  assign s_axil_bvalid_o  = b_valid_q;
-  assign s_axil_bresp_o   = b_q;
-  assign give_b           = aw_valid_q && w_valid_q && (!b_valid_q || s_axil_bready_i);
-  assign write_good       = whole_q && aw_q[1:0] == 2'b00;
-  assign write_o          = give_b && write_good;
-  assign write_offset_o   = aw_q;
-  assign write_data_o     = w_q;
+  assign axil_o.awready = !aw_valid_q;
+  assign axil_o.wready  = !w_valid_q;
+  assign axil_o.bvalid  = b_valid_q;
+  assign axil_o.bresp   = b_q;
+  assign give_b         = aw_valid_q && w_valid_q && (!b_valid_q || axil_i.bready);
+  assign write_good     = whole_q && aw_q[1:0] == 2'b00;
+  assign write_o        = give_b && write_good;
+  assign write_offset_o = aw_q;
+  assign write_data_o   = w_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -58,19 +43,19 @@ module axil_slave (
       w_valid_q  <= 1'b0;
       b_valid_q  <= 1'b0;
     end else begin
-      if (s_axil_awvalid_i && s_axil_awready_o) aw_valid_q <= 1'b1;
+      if (axil_i.awvalid && axil_o.awready) aw_valid_q <= 1'b1;
       else if (give_b)                          aw_valid_q <= 1'b0;
-      if (s_axil_wvalid_i && s_axil_wready_o)   w_valid_q <= 1'b1;
+      if (axil_i.wvalid && axil_o.wready)   w_valid_q <= 1'b1;
       else if (give_b)                          w_valid_q <= 1'b0;
       if (give_b)                               b_valid_q <= 1'b1;
-      else if (s_axil_bready_i)                 b_valid_q <= 1'b0;
+      else if (axil_i.bready)                 b_valid_q <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (s_axil_awready_o) aw_q <= s_axil_awaddr_i;
-    if (s_axil_wready_o) begin
-      w_q     <= s_axil_wdata_i;
-      whole_q <= s_axil_wstrb_i == 4'b1111;
+    if (axil_o.awready) aw_q <= axil_i.awaddr;
+    if (axil_o.wready) begin
+      w_q     <= axil_i.wdata;
+      whole_q <= axil_i.wstrb == 4'b1111;
     end
     if (give_b) b_q <= (write_good && write_known_i) ? OKAY : SLVERR;
   end
@@ -80,34 +65,34 @@ module axil_slave (
   logic [11:0] ar_q;
   logic [31:0] r_data_q;
   logic [1:0]  r_q;
-  assign s_axil_arready_o = !ar_valid_q;
-  assign s_axil_rvalid_o  = r_valid_q;
-  assign s_axil_rdata_o   = r_data_q;
-  assign s_axil_rresp_o   = r_q;
-  assign give_r           = ar_valid_q && (!r_valid_q || s_axil_rready_i);
-  assign read_good        = read_known_i && ar_q[1:0] == 2'b00;
-  assign read_offset_o    = ar_q;
+  assign axil_o.arready = !ar_valid_q;
+  assign axil_o.rvalid  = r_valid_q;
+  assign axil_o.rdata   = r_data_q;
+  assign axil_o.rresp   = r_q;
+  assign give_r         = ar_valid_q && (!r_valid_q || axil_i.rready);
+  assign read_good      = read_known_i && ar_q[1:0] == 2'b00;
+  assign read_offset_o  = ar_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       ar_valid_q <= 1'b0;
       r_valid_q  <= 1'b0;
     end else begin
-      if (s_axil_arvalid_i && s_axil_arready_o) ar_valid_q <= 1'b1;
+      if (axil_i.arvalid && axil_o.arready) ar_valid_q <= 1'b1;
       else if (give_r)                          ar_valid_q <= 1'b0;
       if (give_r)                               r_valid_q <= 1'b1;
-      else if (s_axil_rready_i)                 r_valid_q <= 1'b0;
+      else if (axil_i.rready)                 r_valid_q <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (s_axil_arready_o) ar_q <= s_axil_araddr_i;
+    if (axil_o.arready) ar_q <= axil_i.araddr;
     if (give_r) begin
       r_data_q <= read_good ? read_data_i : '0;
       r_q      <= read_good ? OKAY : SLVERR;
     end
   end
 
-  `GNOMON_ASSERT_STREAM(a_written_stable, s_axil_bvalid_o, s_axil_bready_i, s_axil_bresp_o)
-  `GNOMON_ASSERT_STREAM(a_read_stable, s_axil_rvalid_o, s_axil_rready_i, {s_axil_rdata_o, s_axil_rresp_o})
+  `GNOMON_ASSERT_STREAM(a_written_stable, axil_o.bvalid, axil_i.bready, axil_o.bresp)
+  `GNOMON_ASSERT_STREAM(a_read_stable, axil_o.rvalid, axil_i.rready, {axil_o.rdata, axil_o.rresp})
 
 endmodule

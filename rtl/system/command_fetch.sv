@@ -7,28 +7,23 @@
 module command_fetch #(
   parameter int unsigned AXI_DATA_BITS = 64
 ) (
-  input  logic                     clk_i,
-  input  logic                     rst_ni,
+  input  logic                      clk_i,
+  input  logic                      rst_ni,
   // A descriptor's words; only while not busy.
-  input  logic                     start_i,
-  input  logic [63:3]              address_i,
-  input  logic [31:0]              words_i,          // not 0
-  output logic                     busy_o,           // words are left to give
-  output logic                     waiting_o,        // for the bus
-  // Bursts: first word, words.
-  output logic                     request_valid_o,
-  input  logic                     request_ready_i,
-  output logic [63:3]              request_address_o,
-  output logic [6:0]               request_words_o,  // 1..64
-  input  logic                     beat_valid_i,     // always taken
-  input  logic                     beat_last_i,      // of its burst
-  input  logic [AXI_DATA_BITS-1:0] beat_i,
-  output logic                     active_o,         // a burst is asked for or under way
-  output logic [63:0]              oldest_o,         // address of the oldest of them
+  input  logic                      start_i,
+  input  logic [63:3]               address_i,
+  input  logic [31:0]               words_i,      // not 0
+  output logic                      busy_o,       // words are left to give
+  output logic                      waiting_o,    // for the bus
+  // Bursts.
+  output system_pkg::command_want_t want_o,
+  input  system_pkg::read_give_t    read_i,
+  input  logic                      beat_last_i,  // of its burst
+  input  logic [AXI_DATA_BITS-1:0]  beat_i,
   // Words.
-  output logic                     word_valid_o,
-  input  logic                     word_ready_i,
-  output logic [63:0]              word_o
+  output logic                      word_valid_o,
+  input  logic                      word_ready_i,
+  output logic [63:0]               word_o
 );
 
   localparam int unsigned LANES_LOG2 = $clog2(AXI_DATA_BITS / 64);  // words of a beat
@@ -46,7 +41,7 @@ module command_fetch #(
   logic [BURST:0]      to_edge, words, beats;
   logic [BEAT_BITS-1:0] first_beat, last_beat;
   logic [BURST-1:0]    last_word;
-  logic                ask, beat_taken, pop;
+  logic                asking, ask, beat_taken, pop;
   assign to_edge    = mutations_pkg::AXI_CROSS_PAGES ? (BURST + 1)'(1 << BURST)
                                                      : (BURST + 1)'(1 << BURST) - {1'b0, next_q[3+:BURST]};
   assign words      = (unasked_q < 32'(to_edge)) ? unasked_q[BURST:0] : to_edge;
@@ -55,14 +50,15 @@ module command_fetch #(
   assign last_beat  = last_word[LANES_LOG2+:BEAT_BITS];
   assign beats      = mutations_pkg::AXI_CROSS_PAGES ? words : (BURST + 1)'(BEAT_BITS'(last_beat - first_beat)) + 1'b1;
 
-  assign request_valid_o   = unasked_q != '0 && bursts_q != COUNT_BITS'(system_pkg::COMMAND_BURSTS) &&
-                             32'(room_q) >= 32'(beats);
-  assign request_address_o = next_q;
-  assign request_words_o   = words;
-  assign ask               = request_valid_o && request_ready_i;
-  assign beat_taken        = beat_valid_i && beat_last_i;
-  assign active_o          = bursts_q != '0 || request_valid_o;
-  assign oldest_o          = {(bursts_q != '0) ? oldest_q : next_q, 3'd0};
+  assign asking         = unasked_q != '0 && bursts_q != COUNT_BITS'(system_pkg::COMMAND_BURSTS) &&
+                          32'(room_q) >= 32'(beats);
+  assign ask            = asking && read_i.ready;
+  assign beat_taken     = read_i.beat && beat_last_i;
+  assign want_o.valid   = asking;
+  assign want_o.active  = bursts_q != '0 || asking;
+  assign want_o.address = next_q;
+  assign want_o.words   = words;
+  assign want_o.oldest  = {(bursts_q != '0) ? oldest_q : next_q, 3'd0};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -91,7 +87,7 @@ module command_fetch #(
   logic                     beat_valid, beat_room;
   logic [AXI_DATA_BITS-1:0] beat;
   stream_fifo #(.WIDTH(AXI_DATA_BITS), .DEPTH_LOG2(QUEUE_LOG2)) u_queue (
-    .clk_i, .rst_ni, .valid_i(beat_valid_i), .ready_o(beat_room), .data_i(beat_i),
+    .clk_i, .rst_ni, .valid_i(read_i.beat), .ready_o(beat_room), .data_i(beat_i),
     .valid_o(beat_valid), .ready_i(pop), .data_o(beat)
   );
   logic [LANE_BITS-1:0] lane_q;
@@ -115,9 +111,9 @@ module command_fetch #(
   logic unused_word;
   assign unused_word = ^last_word;
 
-  `GNOMON_ASSERT(a_room_for_every_beat, !beat_valid_i || beat_room)
-  `GNOMON_ASSERT(a_burst_is_under_way, !beat_valid_i || bursts_q != '0)
+  `GNOMON_ASSERT(a_room_for_every_beat, !read_i.beat || beat_room)
+  `GNOMON_ASSERT(a_burst_is_under_way, !read_i.beat || bursts_q != '0)
   `GNOMON_ASSERT_STREAM(a_word_stable, word_valid_o, word_ready_i, word_o)
-  `GNOMON_ASSERT_STREAM(a_request_stable, request_valid_o, request_ready_i, {request_address_o, request_words_o})
+  `GNOMON_ASSERT_STREAM(a_request_stable, want_o.valid, read_i.ready, {want_o.address, want_o.words})
 
 endmodule

@@ -7,47 +7,39 @@
 module descriptor_dma #(
   parameter int unsigned AXI_DATA_BITS = 64
 ) (
-  input  logic                     clk_i,
-  input  logic                     rst_ni,
-  input  logic                     run_i,             // enabled, and the rings are the source
-  input  logic                     stopped_i,
-  input  system_pkg::ring_t        command_ring_i,
-  input  logic                     rings_good_i,
-  // Reads of descriptors: 16 bytes.
-  output logic                     request_valid_o,
-  input  logic                     request_ready_i,
-  input  logic                     beat_valid_i,      // always taken
-  input  logic                     beat_last_i,
-  input  logic [AXI_DATA_BITS-1:0] beat_i,
-  output logic                     read_active_o,
-  // Completions: 16 bytes, at the same place.
-  output logic                     completion_valid_o,
-  input  logic                     completion_ready_i,
-  output logic [127:0]             completion_o,
-  input  logic                     completion_written_i,
-  output logic                     write_active_o,
-  output logic [63:4]              place_o,
+  input  logic                         clk_i,
+  input  logic                         rst_ni,
+  input  logic                         run_i,              // enabled, and the rings are the source
+  input  logic                         stopped_i,
+  input  system_pkg::ring_t            command_ring_i,
+  input  logic                         rings_good_i,
+  // Reads of descriptors, writes of completions.
+  output system_pkg::descriptor_want_t want_o,
+  input  system_pkg::read_give_t       read_i,
+  input  system_pkg::write_give_t      write_i,
+  input  logic                         beat_last_i,
+  input  logic [AXI_DATA_BITS-1:0]     beat_i,
   // Command words.
-  output logic                     fetch_start_o,
-  output logic [63:3]              fetch_address_o,
-  output logic [31:0]              fetch_words_o,
-  input  logic                     fetch_busy_i,
+  output logic                         fetch_start_o,
+  output logic [63:3]                  fetch_address_o,
+  output logic [31:0]                  fetch_words_o,
+  input  logic                         fetch_busy_i,
   // The core and its results.
-  input  logic                     core_idle_i,
-  input  logic                     in_command_i,
-  input  logic                     results_written_i, // none gathered, none under way
-  input  logic [31:0]              result_head_i,
-  input  logic                     error_given_i,
-  input  gnomon_pkg::sticky_t      raised_i,
+  input  logic                         core_idle_i,
+  input  logic                         in_command_i,
+  input  logic                         results_written_i,  // none gathered, none under way
+  input  logic [31:0]                  result_head_i,
+  input  logic                         error_given_i,
+  input  gnomon_pkg::sticky_t          raised_i,
   // What comes of it.
-  output logic                     idle_o,            // no descriptor begun
-  output logic                     waiting_o,         // for the bus, before a descriptor's words
-  output logic                     tail_step_o,
-  output logic                     job_done_o,
-  output logic                     interrupt_o,       // with job_done_o
-  output logic [15:0]              job_o,             // under way, or NO_JOB
-  output logic [23:0]              job_flags_o,
-  output system_pkg::fault_t       fault_o
+  output logic                         idle_o,             // no descriptor begun
+  output logic                         waiting_o,          // for the bus, before a descriptor's words
+  output logic                         tail_step_o,
+  output logic                         job_done_o,
+  output logic                         interrupt_o,        // with job_done_o
+  output logic [15:0]                  job_o,              // under way, or NO_JOB
+  output logic [23:0]                  job_flags_o,
+  output system_pkg::fault_t           fault_o
 );
 
   typedef enum logic [2:0] {StIdle, StAsk, StWait, StCheck, StRun, StDrain, StComplete, StWritten} state_e;
@@ -65,17 +57,22 @@ module descriptor_dma #(
   assign last   = (flags & system_pkg::FLAG_LAST) != '0;
   assign wanted = command_ring_i.head != command_ring_i.tail;
 
-  logic [31:0] place;
-  assign place   = command_ring_i.tail & ((32'd1 << command_ring_i.log2) - 32'd1);
-  assign place_o = command_ring_i.base[63:4] | 60'(place);  // the base is aligned to the ring
+  // Yosys knows no structure inside a generate block.
+  logic        beat_valid;
+  logic [31:0] number_in_ring;
+  logic [63:4] place;
+  assign beat_valid     = read_i.beat;
+  assign number_in_ring = command_ring_i.tail & ((32'd1 << command_ring_i.log2) - 32'd1);
+  assign place          = command_ring_i.base[63:4] | 60'(number_in_ring);  // the base is aligned to the ring
+  assign want_o.place   = place;
 
   if (AXI_DATA_BITS == 64) begin : gen_two_beats
-    always_ff @(posedge clk_i) if (beat_valid_i) descriptor_q <= {beat_i, descriptor_q[127:64]};
+    always_ff @(posedge clk_i) if (beat_valid) descriptor_q <= {beat_i, descriptor_q[127:64]};
   end else if (AXI_DATA_BITS == 128) begin : gen_one_beat
-    always_ff @(posedge clk_i) if (beat_valid_i) descriptor_q <= beat_i;
+    always_ff @(posedge clk_i) if (beat_valid) descriptor_q <= beat_i;
   end else begin : gen_part_of_a_beat
     localparam int unsigned PART_BITS = $clog2(AXI_DATA_BITS / 128);
-    always_ff @(posedge clk_i) if (beat_valid_i) descriptor_q <= beat_i[32'(place_o[4+:PART_BITS])*128+:128];
+    always_ff @(posedge clk_i) if (beat_valid) descriptor_q <= beat_i[32'(place[4+:PART_BITS])*128+:128];
   end
 
   // ---- State ----
@@ -85,29 +82,29 @@ module descriptor_dma #(
     state_d = state_q;
     case (state_q)
       StIdle:     if (run_i && wanted && rings_good_i) state_d = StAsk;
-      StAsk:      if (request_ready_i) state_d = StWait;
-      StWait:     if (beat_valid_i && beat_last_i) state_d = StCheck;
+      StAsk:      if (read_i.ready) state_d = StWait;
+      StWait:     if (beat_valid && beat_last_i) state_d = StCheck;
       StCheck:    if (good) state_d = StRun;
       StRun:      if (!fetch_busy_i) state_d = last ? StDrain : StIdle;
       StDrain:    if (core_idle_i && results_written_i && !cut) state_d = StComplete;
-      StComplete: if (completion_ready_i) state_d = StWritten;
-      default:    if (completion_written_i) state_d = StIdle;
+      StComplete: if (write_i.ready) state_d = StWritten;
+      default:    if (write_i.written) state_d = StIdle;
     endcase
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni)         state_q <= StIdle;
     else if (!stopped_i) state_q <= state_d;
   end
-  assign idle_o          = state_q == StIdle;
-  assign waiting_o       = state_q == StAsk || state_q == StWait || state_q == StCheck;
-  assign request_valid_o = state_q == StAsk;
-  assign read_active_o   = state_q == StAsk || state_q == StWait;
-  assign fetch_start_o   = state_q == StCheck && good && !stopped_i;
-  assign fetch_address_o = address[63:3];
-  assign fetch_words_o   = words;
-  assign job_done_o      = state_q == StWritten && completion_written_i && !stopped_i;
-  assign interrupt_o     = (flags & system_pkg::FLAG_INTERRUPT) != '0;
-  assign tail_step_o     = job_done_o || (state_q == StRun && !fetch_busy_i && !last && !stopped_i);
+  assign idle_o             = state_q == StIdle;
+  assign waiting_o          = state_q == StAsk || state_q == StWait || state_q == StCheck;
+  assign want_o.read_valid  = state_q == StAsk;
+  assign want_o.read_active = state_q == StAsk || state_q == StWait;
+  assign fetch_start_o      = state_q == StCheck && good && !stopped_i;
+  assign fetch_address_o    = address[63:3];
+  assign fetch_words_o      = words;
+  assign job_done_o         = state_q == StWritten && write_i.written && !stopped_i;
+  assign interrupt_o        = (flags & system_pkg::FLAG_INTERRUPT) != '0;
+  assign tail_step_o        = job_done_o || (state_q == StRun && !fetch_busy_i && !last && !stopped_i);
 
   // ---- Job: errors and flags since its first word ----
   logic        in_job_q;
@@ -135,9 +132,9 @@ module descriptor_dma #(
     else                    job_o = in_job_q ? job_q : system_pkg::NO_JOB;
   end
 
-  assign completion_valid_o = state_q == StComplete;
-  assign completion_o       = {flags | system_pkg::FLAG_COMPLETE, number, errors_q, 8'd0, job_flags_o, result_head_i};
-  assign write_active_o     = state_q == StComplete || state_q == StWritten;
+  assign want_o.write_valid  = state_q == StComplete;
+  assign want_o.completion   = {flags | system_pkg::FLAG_COMPLETE, number, errors_q, 8'd0, job_flags_o, result_head_i};
+  assign want_o.write_active = state_q == StComplete || state_q == StWritten;
 
   // ---- Faults of the job itself ----
   always_comb begin
@@ -156,7 +153,7 @@ module descriptor_dma #(
   logic unused_ring;
   assign unused_ring = ^{command_ring_i.base[3:0]};
 
-  `GNOMON_ASSERT(a_beat_expected, !beat_valid_i || state_q == StWait)
-  `GNOMON_ASSERT(a_answer_expected, !completion_written_i || state_q == StWritten)
+  `GNOMON_ASSERT(a_beat_expected, !beat_valid || state_q == StWait)
+  `GNOMON_ASSERT(a_answer_expected, !write_i.written || state_q == StWritten)
 
 endmodule

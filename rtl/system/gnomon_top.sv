@@ -100,8 +100,33 @@ module gnomon_top #(
   if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128 && AXI_DATA_BITS != 256 && AXI_DATA_BITS != 512) begin : gen_refuse
     $error("AXI_DATA_BITS is none of 64, 128, 256, 512");
   end
+  if (system_pkg::USER != cache_pkg::LINE_ID + 1) begin : gen_refuse_ids  // Yosys lets no package use another one
+    $error("system_pkg::USER is not the width of a line's id and the bit before it");
+  end
 
   localparam bit CACHED = CACHE_LOG2 != 0;
+
+  // ---- Ports by channel ----
+  system_pkg::axil_want_t    axil_want;
+  system_pkg::axil_give_t    axil_give;
+  system_pkg::axi_address_t  ar, aw;
+  system_pkg::axi_answer_t   r, b;
+  logic [system_pkg::USER:0] ar_id, aw_id;
+  assign axil_want = {s_axil_awvalid_i, s_axil_awaddr_i, s_axil_wvalid_i, s_axil_wdata_i, s_axil_wstrb_i, s_axil_bready_i,
+                      s_axil_arvalid_i, s_axil_araddr_i, s_axil_rready_i};
+  assign {s_axil_awready_o, s_axil_wready_o, s_axil_bvalid_o, s_axil_bresp_o, s_axil_arready_o, s_axil_rvalid_o,
+          s_axil_rdata_o, s_axil_rresp_o} = axil_give;
+  // Of a line's id, as many bits as there are.
+  assign {m_axi_arvalid_o, ar_id, m_axi_araddr_o, m_axi_arlen_o, m_axi_arsize_o, m_axi_arburst_o} = ar;
+  assign {m_axi_awvalid_o, aw_id, m_axi_awaddr_o, m_axi_awlen_o, m_axi_awsize_o, m_axi_awburst_o} = aw;
+  assign m_axi_arid_o   = {ar_id[system_pkg::USER-:2], ar_id[LINE_IDS_LOG2-1:0]};
+  assign m_axi_awid_o   = {aw_id[system_pkg::USER-:2], aw_id[LINE_IDS_LOG2-1:0]};
+  assign r              = {m_axi_rvalid_i, m_axi_rid_i[AXI_ID_BITS-1-:2],
+                           cache_pkg::LINE_ID'(m_axi_rid_i[LINE_IDS_LOG2-1:0]), m_axi_rresp_i};
+  assign b              = {m_axi_bvalid_i, m_axi_bid_i[AXI_ID_BITS-1-:2],
+                           cache_pkg::LINE_ID'(m_axi_bid_i[LINE_IDS_LOG2-1:0]), m_axi_bresp_i};
+  assign m_axi_rready_o = 1'b1;
+  assign m_axi_bready_o = 1'b1;
 
   // ---- Registers ----
   logic              enable, source, idle, untouched, snapshot, irq_job, job_done, tail_step, result_full, result_blocked;
@@ -123,9 +148,7 @@ module gnomon_top #(
     .WIDTHS_POINT(EN_SLB ? {8'd0, 8'(SLB_ROUNDING), 8'(QUERY_BITS), 8'(SUBPIXEL_BITS)} : 32'd0),
     .WIDTHS_MEMORY({8'd0, CACHED ? 8'(LINE_IDS_LOG2) : 8'd0, 8'(CACHE_LOG2), 8'($clog2(AXI_DATA_BITS / 8))})
   ) u_registers (
-    .clk_i, .rst_ni, .s_axil_awvalid_i, .s_axil_awready_o, .s_axil_awaddr_i, .s_axil_wvalid_i, .s_axil_wready_o,
-    .s_axil_wdata_i, .s_axil_wstrb_i, .s_axil_bvalid_o, .s_axil_bready_i, .s_axil_bresp_o, .s_axil_arvalid_i,
-    .s_axil_arready_o, .s_axil_araddr_i, .s_axil_rvalid_o, .s_axil_rready_i, .s_axil_rdata_o, .s_axil_rresp_o,
+    .clk_i, .rst_ni, .axil_i(axil_want), .axil_o(axil_give),
     .idle_i(idle), .untouched_i(untouched), .result_blocked_i(result_blocked), .stopped_i(stopped), .late_i(late),
     .resetting_i(resetting), .error_status_i(error_status), .error_address_i(error_address), .job_flags_i(job_flags),
     .stop_i(stop), .job_done_i(job_done), .interrupt_i(irq_job), .result_full_i(result_full), .tail_step_i(tail_step),
@@ -170,22 +193,18 @@ module gnomon_top #(
   );
 
   // ---- Rings ----
-  logic                     command_ring_good, result_ring_good, descriptor_valid, descriptor_ready, descriptor_beat;
-  logic                     descriptor_active, completion_valid, completion_ready, completion_written, completion_active;
-  logic                     fetch_start, fetch_busy, fetch_waiting, dma_idle, dma_waiting, results_empty, result_active;
-  logic                     command_valid, command_ready, command_beat, command_active, beat_last;
-  logic                     ring_word_valid, ring_word_ready, ring_result_ready, result_waiting;
-  logic                     result_valid, result_ready, result_written;
-  logic [2:0]               result_first, result_last;
-  logic [6:0]               command_words;
-  logic [31:0]              fetch_words;
-  logic [63:3]              fetch_address, command_address;
-  logic [63:4]              place;
-  logic [63:6]              result_line;
-  logic [63:0]              command_oldest, result_oldest, ring_word;
-  logic [127:0]             completion;
-  logic [511:0]             result_data;
-  logic [AXI_DATA_BITS-1:0] beat;
+  system_pkg::descriptor_want_t descriptor_want;
+  system_pkg::command_want_t    command_want;
+  system_pkg::result_want_t     result_want;
+  system_pkg::read_give_t       descriptor_read, command_read;
+  system_pkg::write_give_t      completion_write, result_write;
+  logic                         command_ring_good, result_ring_good, fetch_start, fetch_busy, fetch_waiting, dma_idle;
+  logic                         dma_waiting, results_empty, result_waiting, beat_last;
+  logic                         ring_word_valid, ring_word_ready, ring_result_ready;
+  logic [31:0]                  fetch_words;
+  logic [63:3]                  fetch_address;
+  logic [63:0]                  ring_word;
+  logic [AXI_DATA_BITS-1:0]     beat;
   ring_check #(.PLACE_LOG2(system_pkg::DESCRIPTOR_LOG2), .LOG2_MIN(1), .LOG2_MAX(16)) u_command_ring (
     .ring_i(command_ring), .good_o(command_ring_good)
   );
@@ -194,11 +213,9 @@ module gnomon_top #(
   );
   descriptor_dma #(.AXI_DATA_BITS(AXI_DATA_BITS)) u_descriptors (
     .clk_i, .rst_ni(core_rst_n), .run_i(enable && !source), .stopped_i(stopped), .command_ring_i(command_ring),
-    .rings_good_i(command_ring_good && result_ring_good), .request_valid_o(descriptor_valid),
-    .request_ready_i(descriptor_ready), .beat_valid_i(descriptor_beat), .beat_last_i(beat_last), .beat_i(beat),
-    .read_active_o(descriptor_active), .completion_valid_o(completion_valid), .completion_ready_i(completion_ready),
-    .completion_o(completion), .completion_written_i(completion_written), .write_active_o(completion_active),
-    .place_o(place), .fetch_start_o(fetch_start), .fetch_address_o(fetch_address), .fetch_words_o(fetch_words),
+    .rings_good_i(command_ring_good && result_ring_good), .want_o(descriptor_want), .read_i(descriptor_read),
+    .write_i(completion_write), .beat_last_i(beat_last), .beat_i(beat), .fetch_start_o(fetch_start),
+    .fetch_address_o(fetch_address), .fetch_words_o(fetch_words),
     .fetch_busy_i(fetch_busy), .core_idle_i(core_idle), .in_command_i(in_command), .results_written_i(results_empty),
     .result_head_i(result_ring.head), .error_given_i(error_given), .raised_i(raised), .idle_o(dma_idle),
     .waiting_o(dma_waiting), .tail_step_o(tail_step), .job_done_o(job_done), .interrupt_o(irq_job), .job_o(job),
@@ -206,17 +223,14 @@ module gnomon_top #(
   );
   command_fetch #(.AXI_DATA_BITS(AXI_DATA_BITS)) u_commands (
     .clk_i, .rst_ni(core_rst_n), .start_i(fetch_start), .address_i(fetch_address), .words_i(fetch_words),
-    .busy_o(fetch_busy), .waiting_o(fetch_waiting), .request_valid_o(command_valid), .request_ready_i(command_ready),
-    .request_address_o(command_address), .request_words_o(command_words), .beat_valid_i(command_beat),
-    .beat_last_i(beat_last), .beat_i(beat), .active_o(command_active), .oldest_o(command_oldest),
+    .busy_o(fetch_busy), .waiting_o(fetch_waiting), .want_o(command_want), .read_i(command_read),
+    .beat_last_i(beat_last), .beat_i(beat),
     .word_valid_o(ring_word_valid), .word_ready_i(ring_word_ready), .word_o(ring_word)
   );
   result_dma u_results (
     .clk_i, .rst_ni(core_rst_n), .stopped_i(stopped), .ring_i(result_ring), .flush_i(core_idle),
     .result_valid_i(res_valid && !source), .result_ready_o(ring_result_ready), .result_i(res_data),
-    .write_valid_o(result_valid), .write_ready_i(result_ready), .write_line_o(result_line),
-    .write_first_o(result_first), .write_last_o(result_last), .write_data_o(result_data), .written_i(result_written),
-    .active_o(result_active), .oldest_o(result_oldest), .head_step_o(head_step), .empty_o(results_empty),
+    .want_o(result_want), .write_i(result_write), .head_step_o(head_step), .empty_o(results_empty),
     .blocked_o(result_blocked), .full_o(result_full), .waiting_o(result_waiting)
   );
 
@@ -254,27 +268,17 @@ module gnomon_top #(
   // ---- Memory ----
   axi_master #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(CACHED), .LINE_IDS_LOG2(LINE_IDS_LOG2)) u_master (
     .clk_i, .rst_ni, .core_rst_ni(core_rst_n), .may_start_i(may_start), .epoch_i(epoch), .give_up_i(give_up),
-    .timeout_i(axi_timeout), .pending_o(pending), .late_o(late), .active_o(active), .moved_o(moved), .read_fault_o(read_fault),
-    .write_fault_o(write_fault), .timeout_fault_o(timeout_fault),
-    .descriptor_valid_i(descriptor_valid), .descriptor_ready_o(descriptor_ready),
-    .descriptor_active_i(descriptor_active), .descriptor_place_i(place), .descriptor_beat_o(descriptor_beat),
-    .command_valid_i(command_valid), .command_ready_o(command_ready), .command_address_i(command_address),
-    .command_words_i(command_words), .command_active_i(command_active), .command_oldest_i(command_oldest),
-    .command_beat_o(command_beat), .beat_o(beat), .beat_last_o(beat_last),
-    .result_valid_i(result_valid), .result_ready_o(result_ready), .result_line_i(result_line),
-    .result_first_i(result_first), .result_last_i(result_last), .result_data_i(result_data),
-    .result_written_o(result_written), .result_active_i(result_active), .result_oldest_i(result_oldest),
-    .completion_valid_i(completion_valid), .completion_ready_o(completion_ready), .completion_i(completion),
-    .completion_written_o(completion_written), .completion_active_i(completion_active),
-    .lines_i(lines_want), .lines_o(lines_give),
-    .m_axi_arvalid_o, .m_axi_arready_i, .m_axi_arid_o, .m_axi_araddr_o, .m_axi_arlen_o, .m_axi_arsize_o,
-    .m_axi_arburst_o, .m_axi_rvalid_i, .m_axi_rready_o, .m_axi_rid_i, .m_axi_rdata_i, .m_axi_rresp_i, .m_axi_rlast_i,
-    .m_axi_awvalid_o, .m_axi_awready_i, .m_axi_awid_o, .m_axi_awaddr_o, .m_axi_awlen_o, .m_axi_awsize_o,
-    .m_axi_awburst_o, .m_axi_wvalid_o, .m_axi_wready_i, .m_axi_wdata_o, .m_axi_wstrb_o, .m_axi_wlast_o,
-    .m_axi_bvalid_i, .m_axi_bready_o, .m_axi_bid_i, .m_axi_bresp_i
+    .timeout_i(axi_timeout), .pending_o(pending), .late_o(late), .active_o(active), .moved_o(moved),
+    .read_fault_o(read_fault), .write_fault_o(write_fault), .timeout_fault_o(timeout_fault),
+    .descriptor_i(descriptor_want), .descriptor_o(descriptor_read), .completion_o(completion_write),
+    .command_i(command_want), .command_o(command_read), .beat_o(beat), .beat_last_o(beat_last), .result_i(result_want),
+    .result_o(result_write), .lines_i(lines_want), .lines_o(lines_give),
+    .ar_o(ar), .arready_i(m_axi_arready_i), .r_i(r), .rlast_i(m_axi_rlast_i), .rdata_i(m_axi_rdata_i),
+    .aw_o(aw), .awready_i(m_axi_awready_i), .wvalid_o(m_axi_wvalid_o), .wready_i(m_axi_wready_i), .wdata_o(m_axi_wdata_o),
+    .wstrb_o(m_axi_wstrb_o), .wlast_o(m_axi_wlast_o), .b_i(b)
   );
 
-  logic unused_plane_base;
-  assign unused_plane_base = ^plane_base[11:0];
+  logic unused_bits;
+  assign unused_bits = ^{plane_base[11:0], ar_id, aw_id};
 
 endmodule

@@ -10,66 +10,48 @@ module register_block #(
   parameter logic [31:0] WIDTHS_POINT    = '0,
   parameter logic [31:0] WIDTHS_MEMORY   = '0
 ) (
-  input  logic                clk_i,
-  input  logic                rst_ni,
-  input  logic                 s_axil_awvalid_i,
-  output logic                 s_axil_awready_o,
-  input  logic [11:0]          s_axil_awaddr_i,
-  input  logic                 s_axil_wvalid_i,
-  output logic                 s_axil_wready_o,
-  input  logic [31:0]          s_axil_wdata_i,
-  input  logic [3:0]           s_axil_wstrb_i,
-  output logic                 s_axil_bvalid_o,
-  input  logic                 s_axil_bready_i,
-  output logic [1:0]           s_axil_bresp_o,
-  input  logic                 s_axil_arvalid_i,
-  output logic                 s_axil_arready_o,
-  input  logic [11:0]          s_axil_araddr_i,
-  output logic                 s_axil_rvalid_o,
-  input  logic                 s_axil_rready_i,
-  output logic [31:0]          s_axil_rdata_o,
-  output logic [1:0]           s_axil_rresp_o,
+  input  logic                   clk_i,
+  input  logic                   rst_ni,
+  input  system_pkg::axil_want_t axil_i,
+  output system_pkg::axil_give_t axil_o,
   // State of the hardware.
-  input  logic                idle_i,
-  input  logic                untouched_i,     // no command word was taken since reset
-  input  logic                result_blocked_i,
-  input  logic                stopped_i,
-  input  logic                late_i,
-  input  logic                resetting_i,
-  input  logic [31:0]         error_status_i,
-  input  logic [63:0]         error_address_i,
-  input  logic [23:0]         job_flags_i,
+  input  logic                   idle_i,
+  input  logic                   untouched_i,   // no command word was taken since reset
+  input  logic                   result_blocked_i,
+  input  logic                   stopped_i,
+  input  logic                   late_i,
+  input  logic                   resetting_i,
+  input  logic [31:0]            error_status_i,
+  input  logic [63:0]            error_address_i,
+  input  logic [23:0]            job_flags_i,
   // What happens.
-  input  logic                stop_i,          // the hardware stops
-  input  logic                job_done_i,
-  input  logic                interrupt_i,     // the job wants to be told of
-  input  logic                result_full_i,
-  input  logic                tail_step_i,     // a descriptor is finished
-  input  logic [3:0]          head_step_i,     // so many results lie in memory
+  input  logic                   stop_i,        // the hardware stops
+  input  logic                   job_done_i,
+  input  logic                   interrupt_i,   // the job wants to be told of
+  input  logic                   result_full_i,
+  input  logic                   tail_step_i,   // a descriptor is finished
+  input  logic [3:0]             head_step_i,   // so many results lie in memory
   // Counters.
-  output logic [7:0]          counter_index_o,
-  input  logic [63:0]         counter_value_i,
-  output logic                snapshot_o,
+  output logic [7:0]             counter_index_o,
+  input  logic [63:0]            counter_value_i,
+  output logic                   snapshot_o,
   // Settings.
-  output logic                soft_reset_o,    // asked for in this cycle; the registers reset themselves until it is over
-  output logic                enable_o,
-  output logic                source_o,
-  output logic [31:0]         axi_timeout_o,
-  output logic [63:0]         plane_base_o,
-  output system_pkg::ring_t   command_ring_o,
-  output system_pkg::ring_t   result_ring_o,
-  output logic                irq_o
+  output logic                   soft_reset_o,  // asked for in this cycle; the registers reset themselves until it is over
+  output logic                   enable_o,
+  output logic                   source_o,
+  output logic [31:0]            axi_timeout_o,
+  output logic [63:0]            plane_base_o,
+  output system_pkg::ring_t      command_ring_o,
+  output system_pkg::ring_t      result_ring_o,
+  output logic                   irq_o
 );
 
   logic        write, write_known, read_known;
   logic [11:0] write_offset, read_offset;
   logic [31:0] write_data, read_data;
   axil_slave u_slave (
-    .clk_i, .rst_ni, .s_axil_awvalid_i, .s_axil_awready_o, .s_axil_awaddr_i, .s_axil_wvalid_i, .s_axil_wready_o,
-    .s_axil_wdata_i, .s_axil_wstrb_i, .s_axil_bvalid_o, .s_axil_bready_i, .s_axil_bresp_o, .s_axil_arvalid_i,
-    .s_axil_arready_o, .s_axil_araddr_i, .s_axil_rvalid_o, .s_axil_rready_i, .s_axil_rdata_o, .s_axil_rresp_o,
-    .write_o(write), .write_offset_o(write_offset), .write_data_o(write_data), .write_known_i(write_known),
-    .read_offset_o(read_offset), .read_data_i(read_data), .read_known_i(read_known)
+    .clk_i, .rst_ni, .axil_i, .axil_o, .write_o(write), .write_offset_o(write_offset), .write_data_o(write_data),
+    .write_known_i(write_known), .read_offset_o(read_offset), .read_data_i(read_data), .read_known_i(read_known)
   );
   register_file #(
     .FEATURES(FEATURES), .WIDTHS_VOXEL(WIDTHS_VOXEL), .WIDTHS_PLANE(WIDTHS_PLANE), .WIDTHS_TOPOLOGY(WIDTHS_TOPOLOGY),

@@ -5,31 +5,24 @@
 `include "assertions.svh"
 
 module result_dma (
-  input  logic              clk_i,
-  input  logic              rst_ni,
-  input  logic              stopped_i,
-  input  system_pkg::ring_t ring_i,
-  input  logic              flush_i,          // no more results without more commands: write what is gathered
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  logic                     stopped_i,
+  input  system_pkg::ring_t        ring_i,
+  input  logic                     flush_i,      // no more results without more commands: write what is gathered
   // Results.
-  input  logic              result_valid_i,
-  output logic              result_ready_o,
-  input  logic [63:0]       result_i,
+  input  logic                     result_valid_i,
+  output logic                     result_ready_o,
+  input  logic [63:0]              result_i,
   // Writes: words of a line.
-  output logic              write_valid_o,
-  input  logic              write_ready_i,
-  output logic [63:6]       write_line_o,
-  output logic [2:0]        write_first_o,
-  output logic [2:0]        write_last_o,
-  output logic [511:0]      write_data_o,
-  input  logic              written_i,        // the oldest write is answered
-  output logic              active_o,         // writes are asked for or under way
-  output logic [63:0]       oldest_o,         // address of the oldest of them
+  output system_pkg::result_want_t want_o,
+  input  system_pkg::write_give_t  write_i,
   // State.
-  output logic [3:0]        head_step_o,      // so many more words lie in memory
-  output logic              empty_o,          // nothing gathered, nothing under way
-  output logic              blocked_o,        // a result waits for a place in the ring
-  output logic              full_o,           // it begins to
-  output logic              waiting_o         // for the bus
+  output logic [3:0]               head_step_o,  // so many more words lie in memory
+  output logic                     empty_o,      // nothing gathered, nothing under way
+  output logic                     blocked_o,    // a result waits for a place in the ring
+  output logic                     full_o,       // it begins to
+  output logic                     waiting_o     // for the bus
 );
 
   localparam int unsigned UNDER_WAY_BITS = system_pkg::RESULT_BURSTS_LOG2 + 4;  // words
@@ -51,7 +44,7 @@ module result_dma (
   logic         line_end;
   assign slot           = next_place[2:0];
   assign line_end       = slot == 3'd7;
-  assign sent           = write_valid_o && write_ready_i;
+  assign sent           = want_o.valid && write_i.ready;
   assign result_ready_o = room && (!send_q || sent);
   assign take           = result_valid_i && result_ready_o;
   always_ff @(posedge clk_i) begin
@@ -74,22 +67,22 @@ module result_dma (
   logic [3:0] size;
   stream_fifo #(.WIDTH(4), .DEPTH_LOG2(system_pkg::RESULT_BURSTS_LOG2)) u_sizes (
     .clk_i, .rst_ni, .valid_i(sent), .ready_o(size_room), .data_i(gathered_q),
-    .valid_o(size_valid), .ready_i(written_i), .data_o(size)
+    .valid_o(size_valid), .ready_i(write_i.written), .data_o(size)
   );
   logic [31:0] mask, first_in_ring, head_in_ring;
   assign mask          = places - 32'd1;
   assign first_in_ring = first_place & mask;
   assign head_in_ring  = ring_i.head & mask;
-  assign write_valid_o = send_q && size_room;
-  assign write_line_o  = ring_i.base[63:6] | 58'(first_in_ring[31:3]);  // the base is aligned to the ring
-  assign write_first_o = first_in_ring[2:0];
-  assign write_last_o  = first_in_ring[2:0] + gathered_q[2:0] - 3'd1;
-  assign write_data_o  = data_q;
-  assign oldest_o      = ring_i.base | {29'd0, head_in_ring, 3'd0};
-  assign active_o      = send_q || under_way_q != '0;
+  assign want_o.valid  = send_q && size_room;
+  assign want_o.line   = ring_i.base[63:6] | 58'(first_in_ring[31:3]);  // the base is aligned to the ring
+  assign want_o.first  = first_in_ring[2:0];
+  assign want_o.last   = first_in_ring[2:0] + gathered_q[2:0] - 3'd1;
+  assign want_o.data   = data_q;
+  assign want_o.oldest = ring_i.base | {29'd0, head_in_ring, 3'd0};
+  assign want_o.active = send_q || under_way_q != '0;
 
   logic answered;
-  assign answered    = written_i && size_valid;
+  assign answered    = write_i.written && size_valid;
   assign head_step_o = mutations_pkg::RESULTS_COUNT_EARLY ? (sent ? gathered_q : 4'd0)
                                                           : ((answered && !stopped_i) ? size : 4'd0);
   always_ff @(posedge clk_i) begin
@@ -111,8 +104,8 @@ module result_dma (
   logic unused_base;
   assign unused_base = ^ring_i.base[5:0];
 
-  `GNOMON_ASSERT(a_within_a_line, 4'(write_first_o) + gathered_q <= 4'd8)
-  `GNOMON_ASSERT(a_answer_expected, !written_i || size_valid)
-  `GNOMON_ASSERT_STREAM(a_write_stable, write_valid_o, write_ready_i, {write_line_o, write_first_o, write_last_o})
+  `GNOMON_ASSERT(a_within_a_line, 4'(want_o.first) + gathered_q <= 4'd8)
+  `GNOMON_ASSERT(a_answer_expected, !write_i.written || size_valid)
+  `GNOMON_ASSERT_STREAM(a_write_stable, want_o.valid, write_i.ready, {want_o.line, want_o.first, want_o.last})
 
 endmodule
