@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <gnomon/golden/golden_engine.hpp>
 
 #include "tests/golden/run_stream.hpp"
@@ -40,7 +41,8 @@ TEST(Split, AtEveryWord) {
 }
 
 TEST(Split, InPiecesOfOneSize) {
-  for (const HardwareConfig& config : stimulus::covering_array()) {
+  for (HardwareConfig config : stimulus::covering_array()) {
+    config.plane_log2 = std::min(config.plane_log2, 9);  // an engine for each size of piece
     const auto words = stimulus::random_stream(config, {.seed = 12, .commands = 40});
     const Outcome whole = run(config, words);
     for (const std::size_t piece : {1u, 2u, 7u, 64u}) {

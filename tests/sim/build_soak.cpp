@@ -34,6 +34,7 @@ std::vector<Build> builds() {
   std::vector<HardwareConfig> configs = stimulus::slb_covering_array();
   for (const auto& more : {stimulus::large_slb_configs(), stimulus::frame_covering_array()})
     configs.insert(configs.end(), more.begin(), more.end());
+  configs.push_back(stimulus::large_frame_config());
   std::vector<Build> result;
   for (const HardwareConfig& config : configs) {
     static constexpr std::array kLatencies{1, 2, 3, 5, 17, 64};
@@ -50,7 +51,8 @@ std::vector<Build> builds() {
 }
 
 bool is_large(const HardwareConfig& config) {
-  return std::max(config.plane_log2, config.slb_plane_log2) > 9;
+  return std::max(config.plane_log2, config.slb_plane_log2) > 9 ||
+         (config.en_frame_buffer && config.voxel_bits > 7);
 }
 
 /// Ends whatever object a stream has left open; answered by errors where there is none.
@@ -77,6 +79,8 @@ Streams streams_for(const HardwareConfig& config) {
   if (!config.en_slb || config.slb_plane_log2 <= 10) streams = stimulus::directed_streams(config);
   for (std::uint64_t seed = 1; seed <= (large ? 2 : kStallProfiles); ++seed)
     streams.push_back(random_case(config, seed, 300));
+  for (std::uint64_t seed = 1; config.en_vpu_topology && seed <= kStallProfiles; ++seed)
+    streams.push_back(topology_case(config, seed, 60));
   for (std::uint64_t seed = 1; config.en_frame_buffer && seed <= kStallProfiles; ++seed)
     streams.push_back(
         {fmt::format("frame buffer, seed {}", seed), stimulus::frame_stream(config, seed, 200)});

@@ -5,6 +5,8 @@
 #include <array>
 #include <gnomon/golden/golden_engine.hpp>
 
+#include "tests/rtl/topology/program_stream.hpp"
+
 namespace gnomon::sim::test {
 
 Cosim::Cosim(const golden::HardwareConfig& config, const RtlOptions& options)
@@ -46,6 +48,17 @@ stimulus::DirectedStream random_case(const golden::HardwareConfig& config, std::
   options.seed = seed;
   options.commands = commands;
   return {"random, seed " + std::to_string(seed), stimulus::random_stream(config, options)};
+}
+
+stimulus::DirectedStream topology_case(const golden::HardwareConfig& config, std::uint64_t seed,
+                                       int commands) {
+  // With a grid of 16 voxels a light's cone spreads each voxel over thousands of entries of the largest
+  // planes.
+  constexpr std::int64_t kMostEntries = 1 << 21;
+  return {"topology mode, seed " + std::to_string(seed),
+          rtl_test::topology::program_stream(
+              config,
+              {.seed = seed, .commands = commands, .doubtful_percent = 20, .most_entries = kMostEntries})};
 }
 
 }  // namespace gnomon::sim::test

@@ -37,5 +37,8 @@ inline constexpr int kStallProfiles = 6;
 
 /// A random stream and its name for messages.
 stimulus::DirectedStream random_case(const golden::HardwareConfig& config, std::uint64_t seed, int commands);
+/// The same of topology mode, with commands of other kinds and in error between its own; `config` needs it.
+stimulus::DirectedStream topology_case(const golden::HardwareConfig& config, std::uint64_t seed,
+                                       int commands);
 
 }  // namespace gnomon::sim::test

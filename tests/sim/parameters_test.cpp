@@ -17,6 +17,13 @@ struct Build {
   bool quick = false;
 };
 
+stimulus::DirectedStream joined(const std::vector<stimulus::DirectedStream>& streams) {
+  stimulus::DirectedStream all{"all streams, one after the other", {}};
+  for (const stimulus::DirectedStream& stream : streams)
+    all.words.insert(all.words.end(), stream.words.begin(), stream.words.end());
+  return all;
+}
+
 class Parameters : public testing::TestWithParam<Build> {};
 
 TEST_P(Parameters, DirectedAndRandomStreams) {
@@ -25,12 +32,14 @@ TEST_P(Parameters, DirectedAndRandomStreams) {
   options.stalls = stall_profile(3, 21);
   options.quick_build = GetParam().quick;
   Cosim cosim(config, options);
-  // The plane is scrubbed after each reset; where it is large, one long stream stands for many.
+  // The plane is scrubbed after each reset; where it is large, one long stream stands for all.
   const bool large = config.plane_log2 > 9;
   std::vector<stimulus::DirectedStream> streams = stimulus::directed_streams(config);
   for (std::uint64_t seed = 1; seed <= (large ? 1 : 5); ++seed) {
     streams.push_back(random_case(config, seed, large ? 1000 : 200));
+    if (config.en_vpu_topology) streams.push_back(topology_case(config, seed, 40));
   }
+  if (large) streams = {joined(streams)};
   std::uint64_t words = 0;
   for (const stimulus::DirectedStream& stream : streams) {
     const CompareReport report = cosim.run(stream.words);
@@ -41,22 +50,26 @@ TEST_P(Parameters, DirectedAndRandomStreams) {
 }
 
 /// Hardware with the silhouette-line buffer takes four times as long to compile: the default one, and as many
-/// as there is time for; all of them in the soak. The projection unit's values in all of them, without the
-/// buffer.
+/// as there is time for, without topology mode. The projection unit without the buffer in the first of the
+/// array, which have most pairs of its values. All of them, with all modes, in the soak.
 std::vector<Build> builds() {
-  constexpr std::size_t kWithBuffer = 7;
+  constexpr std::size_t kWithBuffer = 7, kWithout = 16;
   std::vector<Build> chosen{{.config = {.en_slb = true}}};
   for (golden::HardwareConfig config : stimulus::slb_covering_array()) {
     if (chosen.size() == kWithBuffer) break;
     if (config == chosen.front().config) continue;
+    config.en_vpu_topology = false;
     config.plane_log2 = 4;  // scrubbed after every reset
     config.slb_plane_log2 = std::min(config.slb_plane_log2, 8);
     chosen.push_back({config, true});
   }
   for (golden::HardwareConfig config : stimulus::covering_array()) {
+    if (chosen.size() == kWithBuffer + kWithout) break;
     config.en_slb = false;
+    // The mode makes a model cost twice as much to compile.
+    config.en_vpu_topology = config.en_vpu_topology && config.plane_log2 == 9;
     const auto same = [&](const Build& build) { return build.config == config; };
-    if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({config});
+    if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back({config, true});
   }
   return chosen;
 }

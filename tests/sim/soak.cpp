@@ -49,7 +49,10 @@ Trial make_trial(std::uint64_t seed, int commands) {
   trial.options.seed = static_cast<std::uint32_t>(seed);
   trial.options.stalls = stall_profile(static_cast<int>(random.between(0, kStallProfiles - 1)), seed);
   if (random.chance(25)) trial.options.memory_stall_seed = 4711;
-  trial.stream = random_case(trial.config, seed, commands).words;
+  const bool topology = trial.config.en_vpu_topology && random.chance(50);
+  trial.stream =
+      (topology ? topology_case(trial.config, seed, commands / 8) : random_case(trial.config, seed, commands))
+          .words;
   return trial;
 }
 
@@ -114,7 +117,7 @@ int main(int argc, char** argv) {
   app.add_flag(
       "--builds", builds,
       "instead of seeds, every build of the covering arrays with the silhouette-line buffer or the frame "
-      "buffer, and planes of the former up to 2^12");
+      "buffer, and large planes and grids");
   CLI11_PARSE(app, argc, argv);
   try {
     if (builds) return gnomon::sim::test::soak_builds(options.first_seed) == 0 ? 0 : 1;

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <set>
-#include <tuple>
+#include <iterator>
 
 namespace gnomon::stimulus {
 namespace {
@@ -16,13 +14,18 @@ namespace {
 using golden::HardwareConfig;
 using Configs = std::vector<HardwareConfig>;
 
-/// Two parameters and their values.
-using Pair = std::tuple<std::size_t, int, std::size_t, int>;
-using Pairs = std::set<Pair>;
+constexpr int kAbsent = -1, kHighestValue = 31;
+/// One unit's parameters, each always in the same place; kAbsent where hardware does not have it.
+using Values = std::array<int, 13>;
 
-std::vector<int> vpu_values(const HardwareConfig& c) {
-  return {c.voxel_bits, c.voxel_frac_bits, c.normal_bits,   c.matrix_frac_bits,
-          c.depth_bits, c.plane_log2,      c.en_vpu_offset, c.en_perspective};
+Values vpu_values(const HardwareConfig& c) {
+  Values values{c.voxel_bits, c.voxel_frac_bits, c.normal_bits,    c.matrix_frac_bits, c.depth_bits,
+                c.plane_log2, c.en_vpu_offset,   c.en_perspective, c.en_vpu_topology,  kAbsent,
+                kAbsent,      kAbsent,           kAbsent};
+  if (!c.en_vpu_topology) return values;
+  const std::array topology{c.sub_bits, c.span_log2, c.nodes_log2, c.quads_log2};
+  std::copy(topology.begin(), topology.end(), values.end() - topology.size());
+  return values;
 }
 
 int fewest_subpixel_bits(const HardwareConfig& c) {
@@ -34,7 +37,7 @@ int most_fraction_bits(const HardwareConfig& c) {
 }
 
 /// Fraction bits count as fewest or more; what they are depends on the others.
-std::vector<int> slb_values(const HardwareConfig& c) {
+Values slb_values(const HardwareConfig& c) {
   return {c.frac_bits,
           c.slope_bits,
           c.frags_per_pixel,
@@ -42,43 +45,63 @@ std::vector<int> slb_values(const HardwareConfig& c) {
           c.depth_bits,
           c.subpixel_bits > fewest_subpixel_bits(c),
           c.query_bits > c.frac_bits + 3,
-          static_cast<int>(c.slb_rounding)};
+          static_cast<int>(c.slb_rounding),
+          kAbsent,
+          kAbsent,
+          kAbsent,
+          kAbsent,
+          kAbsent};
 }
 
-Pairs pairs(const std::vector<int>& values) {
-  Pairs result;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    for (std::size_t j = i + 1; j < values.size(); ++j) result.emplace(i, values[i], j, values[j]);
-  }
-  return result;
-}
-
-using Values = std::vector<int> (*)(const HardwareConfig&);
-
-/// What is still to be covered in one unit.
+/// What is still to be covered in one unit: a table of all pairs of two parameters' values.
 class Missing {
  public:
-  Missing(Values values, const Configs& candidates) : values_(values) {
-    for (const HardwareConfig& config : candidates) pairs_.merge(pairs(values(config)));
+  using ValuesOf = Values (*)(const HardwareConfig&);
+
+  Missing(ValuesOf values, const Configs& candidates) : values_(values), pairs_(kCodes * kCodes) {
+    for (const HardwareConfig& config : candidates) set(config, true);
   }
-  bool empty() const { return pairs_.empty(); }
-  void remove(const HardwareConfig& config) {
-    for (const Pair& pair : pairs(values_(config))) pairs_.erase(pair);
-  }
+  bool empty() const { return std::find(pairs_.begin(), pairs_.end(), 1) == pairs_.end(); }
+  void remove(const HardwareConfig& config) { set(config, false); }
   /// The first candidate among those that cover most.
   HardwareConfig best(const Configs& candidates) const {
-    return *std::max_element(candidates.begin(), candidates.end(),
-                             [&](const auto& a, const auto& b) { return covers(a) < covers(b); });
+    const HardwareConfig* chosen = nullptr;
+    int most = -1;
+    for (const HardwareConfig& config : candidates) {
+      const int covered = covers(config);
+      if (covered > most) chosen = &config;
+      most = std::max(most, covered);
+    }
+    return *chosen;
   }
 
  private:
-  std::ptrdiff_t covers(const HardwareConfig& config) const {
-    const Pairs all = pairs(values_(config));
-    return std::count_if(all.begin(), all.end(), [&](const Pair& pair) { return pairs_.contains(pair); });
+  static constexpr std::size_t kCodes = std::tuple_size_v<Values> * (kHighestValue + 1);
+
+  /// Calls `visit` with the place of each of its pairs in the table.
+  template <typename Visit>
+  void for_pairs(const HardwareConfig& config, const Visit& visit) const {
+    const Values values = values_(config);
+    std::array<std::size_t, std::tuple_size_v<Values>> codes{};
+    std::size_t present = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] != kAbsent)
+        codes[present++] = i * (kHighestValue + 1) + static_cast<std::size_t>(values[i]);
+    }
+    for (std::size_t i = 0; i < present; ++i)
+      for (std::size_t j = i + 1; j < present; ++j) visit(codes[i] * kCodes + codes[j]);
+  }
+  void set(const HardwareConfig& config, bool missing) {
+    for_pairs(config, [&](std::size_t pair) { pairs_[pair] = missing ? 1 : 0; });
+  }
+  int covers(const HardwareConfig& config) const {
+    int count = 0;
+    for_pairs(config, [&](std::size_t pair) { count += pairs_[pair]; });
+    return count;
   }
 
-  Values values_;
-  Pairs pairs_;
+  ValuesOf values_;
+  std::vector<char> pairs_;
 };
 
 /// The projection unit of the one, the silhouette-line buffer of the other.
@@ -115,7 +138,9 @@ void add_fraction_bits(Configs& configs, HardwareConfig config) {
 }
 
 Configs make_covering_array() {
-  const Configs slb_candidates = slb_corner_configs(), vpu_candidates = corner_configs();
+  const Configs slb_candidates = slb_corner_configs(), with_topology = topology_corner_configs();
+  Configs vpu_candidates = corner_configs();
+  vpu_candidates.insert(vpu_candidates.end(), with_topology.begin(), with_topology.end());
   Missing vpu(vpu_values, vpu_candidates), slb(slb_values, slb_candidates);
   Configs chosen;
   const auto choose = [&](const HardwareConfig& config) {
@@ -150,6 +175,25 @@ Configs corner_configs() {
                   config.en_perspective = perspective;
                   if (!config.check()) configs.push_back(config);
                 }
+  return configs;
+}
+
+/// Topology mode's parameters in the rows of the orthogonal array of four with three values each.
+Configs topology_corner_configs() {
+  constexpr std::array kSub{2, 4, 8}, kSpan{2, 4, 6}, kNodes{4, 20, 24}, kQuads{4, 18, 24};
+  Configs configs;
+  for (HardwareConfig config : corner_configs()) {
+    config.en_vpu_topology = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        config.sub_bits = kSub.at(i);
+        config.span_log2 = kSpan.at(j);
+        config.nodes_log2 = kNodes.at((i + j) % 3);
+        config.quads_log2 = kQuads.at((i + 2 * j) % 3);
+        configs.push_back(config);
+      }
+    }
+  }
   return configs;
 }
 
@@ -208,6 +252,15 @@ Configs frame_covering_array() {
     }
   }
   return configs;
+}
+
+HardwareConfig large_frame_config() {
+  return {.plane_log2 = 4,
+          .en_vpu_topology = true,
+          .nodes_log2 = 10,
+          .quads_log2 = 8,
+          .en_frame_buffer = true,
+          .frame_layers_log2 = 3};
 }
 
 Configs large_slb_configs() {

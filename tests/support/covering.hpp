@@ -21,9 +21,13 @@ std::vector<golden::HardwareConfig> large_slb_configs();
 
 /// Hardware with the frame buffer: every pair of grid size, fraction bits, layers and modes, in nine builds.
 std::vector<golden::HardwareConfig> frame_covering_array();
+/// A frame buffer for the default grid, with as many layers as there can be.
+golden::HardwareConfig large_frame_config();
 
 /// Every legal build of the projection unit with the values above, without the silhouette-line buffer.
 std::vector<golden::HardwareConfig> corner_configs();
+/// The same with topology mode: its own parameters in nine ways, which have every pair of their values.
+std::vector<golden::HardwareConfig> topology_corner_configs();
 /// Every legal silhouette-line buffer with the values above, beside a default projection unit of that depth.
 std::vector<golden::HardwareConfig> slb_corner_configs();
 

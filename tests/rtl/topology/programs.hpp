@@ -30,7 +30,8 @@ int ulps_per_entry(const TopologyConfig& config);
 /// Registers of any content that their widths hold.
 ProjectionRegisters wild_registers(stimulus::Random& random, const TopologyConfig& config);
 
-/// Clears, quads of all sizes, voxels and reads in random order, under random lights.
+/// Clears, quads of all sizes, voxels and reads in random order, under random lights; at the end a look at
+/// all entries, if the plane is small.
 Program random_program(stimulus::Random& random, const TopologyConfig& config, int commands);
 
 }  // namespace gnomon::rtl_test::topology

@@ -11,7 +11,7 @@
 #include "Vtopology_top.h"
 #include "sim/counter_names.hpp"
 #include "tests/rtl/stream_bench.hpp"
-#include "tests/rtl/topology/programs.hpp"
+#include "tests/rtl/topology/program_stream.hpp"
 
 namespace gnomon::rtl_test {
 namespace {
@@ -28,48 +28,6 @@ HardwareConfig top_config() {
           .span_log2 = 3,
           .nodes_log2 = 9,
           .quads_log2 = 7};
-}
-
-void append(std::vector<Word>& words, const topology::Command& command) {
-  if (!command.sets_registers) {
-    words.push_back(encode(golden::Header{.op = static_cast<std::uint8_t>(command.op),
-                                          .flags = command.flags,
-                                          .count = static_cast<std::uint16_t>(command.items.size()),
-                                          .arg = command.arg}));
-    words.insert(words.end(), command.items.begin(), command.items.end());
-    return;
-  }
-  words.push_back(encode(golden::Header{.op = 0x01, .count = 13}));
-  for (const std::int64_t value : command.registers.matrix) words.push_back(static_cast<Word>(value));
-  words.push_back(static_cast<Word>(command.registers.offset_factor));
-}
-
-/// A command of any op near this mode's, with flags, counts and arguments that may be in error.
-void append_doubtful(std::vector<Word>& words, stimulus::Random& random) {
-  const auto count = static_cast<std::uint16_t>(random.chance(50) ? 0 : random.between(0, 9));
-  const auto first = static_cast<std::uint32_t>(random.between(0, 1100));
-  words.push_back(
-      encode(golden::Header{.op = static_cast<std::uint8_t>(random.between(0x0F, 0x17)),
-                            .flags = static_cast<std::uint8_t>(random.chance(70) ? 0 : random.between(0, 7)),
-                            .count = count,
-                            .arg = first | static_cast<std::uint32_t>(random.between(0, 40)) << 24}));
-  for (int i = 0; i < count; ++i) words.push_back(random.bits());
-}
-
-std::vector<Word> random_words(std::uint64_t seed) {
-  stimulus::Random random(seed);
-  const golden::topology::TopologyConfig config = top_config().topology_config();
-  std::vector<Word> words;
-  for (const topology::Command& command : topology::random_program(random, config, 30)) {
-    append(words, command);
-    while (random.chance(30)) append_doubtful(words, random);
-    if (random.chance(20))
-      words.push_back(encode(golden::Header{.op = 0x03,
-                                            .flags = static_cast<std::uint8_t>(random.between(0, 1)),
-                                            .arg = static_cast<std::uint32_t>(words.size())}));
-  }
-  words.push_back(encode(golden::Header{.op = 0x03}));
-  return words;
 }
 
 struct Answer {
@@ -91,7 +49,8 @@ TEST(TopologyTop, AnswersRandomStreamsAsGolden) {
   std::size_t compared = 0;
   std::uint64_t errors = 0, hits = 0, dropped = 0;
   for (std::uint64_t seed = 0; seed < 15; ++seed) {
-    const std::vector<Word> words = random_words(seed);
+    const std::vector<Word> words =
+        topology::program_stream(top_config(), {.seed = seed, .doubtful_percent = 30});
     const Answer expected = golden_answer(top_config(), words);
     StreamBench<Vtopology_top> bench(static_cast<std::uint32_t>(seed));
     if (seed % 2 == 1) bench.run_then_reset(words, kStalls[seed % 3], 300 * seed);
