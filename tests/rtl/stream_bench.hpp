@@ -2,17 +2,14 @@
 // Runs command words through a Verilated gnomon_core, holding its ports back at random.
 #pragma once
 
-#include <verilated.h>
-
-#include <array>
 #include <cstdint>
 #include <gnomon/golden/engine.hpp>
-#include <memory>
-#include <random>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "tests/rtl/clocked_model.hpp"
 
 namespace gnomon::rtl_test {
 
@@ -28,25 +25,15 @@ template <class Model>
 class StreamBench {
  public:
   /// `plusarg`: a seeded fault of a build that holds several, without its plus.
-  explicit StreamBench(std::uint32_t seed, const std::string& plusarg = {}) : random_(seed) {
-    const std::string argument = "+" + plusarg;
-    std::array<const char*, 2> arguments{"bench", argument.c_str()};
-    context_.commandArgs(2, arguments.data());
-    context_.randReset(2);  // registers and memories start with random contents
-    context_.randSeed(static_cast<int>(seed | 1u));
-    model_ = std::make_unique<Model>(&context_);
+  explicit StreamBench(std::uint32_t seed, const std::string& plusarg = {})
+      : model_(seed, plusarg), ports_(seed) {
     reset();
   }
-  ~StreamBench() { model_->final(); }
-  StreamBench(const StreamBench&) = delete;
-  StreamBench& operator=(const StreamBench&) = delete;
 
   void reset() {
     model_->cmd_valid_i = 0;
     model_->res_ready_i = 0;
-    model_->rst_ni = 0;
-    for (int i = 0; i < 3; ++i) clock();
-    model_->rst_ni = 1;
+    model_.reset();
     cycles_ = 0;
   }
 
@@ -80,12 +67,11 @@ class StreamBench {
     bool offering = false;
     std::uint64_t quiet = 0;
     for (std::uint64_t passed = 0; passed < limit; ++passed) {
-      offering = taken < words.size() && (offering || open(stalls.command_open));
+      offering = taken < words.size() && (offering || ports_.open(stalls.command_open));
       model_->cmd_valid_i = offering;
       if (offering) model_->cmd_data_i = words[taken];
-      model_->res_ready_i = open(stalls.result_open);
-      model_->clk_i = 0;
-      model_->eval();
+      model_->res_ready_i = ports_.open(stalls.result_open);
+      model_.settle();
       if (taken == words.size() && model_->idle_o) return;
       ++quiet;
       if (offering && model_->cmd_ready_o) {
@@ -98,23 +84,13 @@ class StreamBench {
         quiet = 0;
       }
       if (quiet > kHangCycles) throw std::runtime_error("the hardware hangs");
-      clock();
+      model_.rise();
       ++cycles_;
     }
   }
 
-  bool open(unsigned chance) { return chance >= 256 || (random_() & 255u) < chance; }
-
-  void clock() {
-    model_->clk_i = 0;
-    model_->eval();
-    model_->clk_i = 1;
-    model_->eval();
-  }
-
-  VerilatedContext context_;
-  std::unique_ptr<Model> model_;
-  std::mt19937 random_;
+  ClockedModel<Model> model_;
+  RandomPorts ports_;
   std::uint64_t cycles_ = 0;
 };
 

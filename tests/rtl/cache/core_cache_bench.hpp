@@ -2,16 +2,14 @@
 // Runs command words through a Verilated gnomon_core whose planes lie in a LineMemory.
 #pragma once
 
-#include <verilated.h>
-
 #include <cstdint>
 #include <gnomon/golden/engine.hpp>
-#include <memory>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "line_memory.hpp"
+#include "tests/rtl/clocked_model.hpp"
 
 namespace gnomon::rtl_test {
 
@@ -20,29 +18,17 @@ using golden::Word;
 template <class Model>
 class CoreCacheBench {
  public:
-  explicit CoreCacheBench(const LineTiming& timing, std::uint32_t seed = 1) : memory_(timing, seed) {
-    context_.randReset(2);  // registers and memories start with random contents
-    context_.randSeed(static_cast<int>(seed | 1u));
-    model_ = std::make_unique<Model>(&context_);
+  explicit CoreCacheBench(const LineTiming& timing, std::uint32_t seed = 1)
+      : memory_(timing, seed), model_(seed) {
     model_->plane_base_i = 0x81234;
     reset();
   }
-  ~CoreCacheBench() { model_->final(); }
-  CoreCacheBench(const CoreCacheBench&) = delete;
-  CoreCacheBench& operator=(const CoreCacheBench&) = delete;
 
   void reset() {
     model_->cmd_valid_i = 0;
     model_->res_ready_i = 1;
-    model_->rst_ni = 0;
-    for (int i = 0; i < 3; ++i) {
-      model_->clk_i = 0;
-      model_->eval();
-      model_->clk_i = 1;
-      model_->eval();
-    }
+    model_.reset();
     memory_.reset();
-    model_->rst_ni = 1;
     cycles_ = 0;
   }
 
@@ -64,11 +50,9 @@ class CoreCacheBench {
     model_->cmd_valid_i = 0;
     for (unsigned i = 0; i < cycles; ++i) {
       memory_.drive(*model_);
-      model_->clk_i = 0;
-      model_->eval();
+      model_.settle();
       memory_.clock(*model_);
-      model_->clk_i = 1;
-      model_->eval();
+      model_.rise();
       ++cycles_;
     }
   }
@@ -91,8 +75,7 @@ class CoreCacheBench {
       model_->cmd_valid_i = taken < words.size();
       if (taken < words.size()) model_->cmd_data_i = words[taken];
       memory_.drive(*model_);
-      model_->clk_i = 0;
-      model_->eval();
+      model_.settle();
       if (taken == words.size() && model_->idle_o) return;
       ++quiet;
       if (model_->cmd_valid_i && model_->cmd_ready_o) {
@@ -105,15 +88,13 @@ class CoreCacheBench {
       }
       if (quiet > kHangCycles) throw std::runtime_error("the hardware hangs");
       memory_.clock(*model_);
-      model_->clk_i = 1;
-      model_->eval();
+      model_.rise();
       ++cycles_;
     }
   }
 
-  VerilatedContext context_;
   LineMemory memory_;
-  std::unique_ptr<Model> model_;
+  ClockedModel<Model> model_;
   std::uint64_t cycles_ = 0;
 };
 

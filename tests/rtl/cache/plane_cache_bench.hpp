@@ -2,19 +2,17 @@
 // Drives the plane behind its cache at random, and compares every answer with an array.
 #pragma once
 
-#include <verilated.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "line_memory.hpp"
+#include "tests/rtl/clocked_model.hpp"
 
 namespace gnomon::rtl_test {
 
@@ -41,30 +39,14 @@ class PlaneCacheBench {
  public:
   PlaneCacheBench(std::uint32_t entries, const LineTiming& timing, std::uint32_t seed,
                   const std::string& plusarg = {})
-      : memory_(timing, seed), random_(seed), expected_(entries, kNone) {
-    const std::string argument = "+" + plusarg;
-    std::array<const char*, 2> arguments{"bench", argument.c_str()};
-    context_.commandArgs(2, arguments.data());
-    context_.randReset(2);
-    context_.randSeed(static_cast<int>(seed | 1u));
-    model_ = std::make_unique<Model>(&context_);
+      : memory_(timing, seed), model_(seed, plusarg), random_(seed), expected_(entries, kNone) {
     reset();
   }
-  ~PlaneCacheBench() { model_->final(); }
-  PlaneCacheBench(const PlaneCacheBench&) = delete;
-  PlaneCacheBench& operator=(const PlaneCacheBench&) = delete;
 
   void reset() {
     model_->update_valid_i = model_->read0_valid_i = model_->read1_valid_i = model_->clear_valid_i = 0;
-    model_->rst_ni = 0;
-    for (int i = 0; i < 2; ++i) {  // the memory is not asked meanwhile
-      model_->clk_i = 0;
-      model_->eval();
-      model_->clk_i = 1;
-      model_->eval();
-    }
+    model_.reset();  // the memory is not asked meanwhile
     memory_.reset();
-    model_->rst_ni = 1;
     asked0_.clear();
     asked1_.clear();
     std::fill(expected_.begin(), expected_.end(), kNone);
@@ -167,21 +149,18 @@ class PlaneCacheBench {
 
   void settle() {
     memory_.drive(*model_);
-    model_->clk_i = 0;
-    model_->eval();
+    model_.settle();
   }
   void edge() {
     for (unsigned i = 0; i < outcome_.events.size(); ++i)
       outcome_.events[i] += (model_->events_o >> (5 - i)) & 1u;
     memory_.clock(*model_);
-    model_->clk_i = 1;
-    model_->eval();
+    model_.rise();
     ++outcome_.cycles;
   }
 
-  VerilatedContext context_;
   LineMemory memory_;
-  std::unique_ptr<Model> model_;
+  ClockedModel<Model> model_;
   std::mt19937 random_;
   std::vector<std::uint32_t> expected_;
   std::deque<Asked> asked0_, asked1_;

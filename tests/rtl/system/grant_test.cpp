@@ -1,39 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who goes on the bus: by priority, and after more than 64 grants of others whoever waits.
 #include <gtest/gtest.h>
-#include <verilated.h>
 
 #include <array>
-#include <memory>
 #include <random>
 
 #include "Vfair_grant.h"
+#include "tests/rtl/clocked_model.hpp"
 
 namespace gnomon::rtl_test {
 namespace {
 
 class Grants {
  public:
-  Grants() : model_(std::make_unique<Vfair_grant>(&context_)) {
-    model_->rst_ni = 0;
-    cycle(0, false);
-    model_->rst_ni = 1;
-  }
+  Grants() { model_.reset(); }
   /// Who is granted, a bit each.
   unsigned cycle(unsigned wanted, bool take) {
     model_->valid_i = static_cast<CData>(wanted);
     model_->take_i = take;
-    model_->clk_i = 0;
-    model_->eval();
+    model_.settle();
     const unsigned granted = model_->grant_o;
-    model_->clk_i = 1;
-    model_->eval();
+    model_.rise();
     return granted;
   }
 
  private:
-  VerilatedContext context_;
-  std::unique_ptr<Vfair_grant> model_;
+  ClockedModel<Vfair_grant> model_{1};
 };
 
 TEST(FairGrant, TheFirstOfThoseWhoWant) {

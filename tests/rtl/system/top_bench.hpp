@@ -2,11 +2,8 @@
 // A Verilated gnomon_top with memory behind it and software in front of it: register accesses, rings, jobs.
 #pragma once
 
-#include <verilated.h>
-
 #include <cstdint>
 #include <gnomon/golden/engine.hpp>
-#include <memory>
 #include <optional>
 #include <random>
 #include <span>
@@ -16,6 +13,7 @@
 
 #include "axi_memory.hpp"
 #include "sim/registers/registers.hpp"
+#include "tests/rtl/clocked_model.hpp"
 
 namespace gnomon::rtl_test {
 
@@ -48,42 +46,31 @@ class TopBench {
   static constexpr std::size_t kMemoryBytes = 0x200000;
 
   explicit TopBench(std::uint32_t seed, const std::string& plusarg = {})
-      : memory_(Rings{}.base, kMemoryBytes, kBeatBytes, seed ^ 0xBEEFu), random_(seed) {
-    std::string argument = "+";
-    argument += plusarg;
-    std::array<const char*, 2> arguments{"bench", argument.c_str()};
-    context_.commandArgs(2, arguments.data());
-    context_.fatalOnError(false);
-    context_.randReset(2);  // registers and memories start with random contents
-    context_.randSeed(static_cast<int>(seed | 1u));
-    model_ = std::make_unique<Model>(&context_);
+      : model_(seed, plusarg),
+        memory_(Rings{}.base, kMemoryBytes, kBeatBytes, seed ^ 0xBEEFu),
+        random_(seed) {
+    model_.survive_assertions();
     model_->s_axil_awvalid_i = model_->s_axil_wvalid_i = model_->s_axil_arvalid_i = 0;
     model_->s_axil_bready_i = model_->s_axil_rready_i = 0;
     model_->s_axis_tvalid_i = model_->m_axis_tready_i = 0;
     model_->m_axi_rvalid_i = model_->m_axi_bvalid_i = 0;
-    model_->rst_ni = 0;
-    for (int i = 0; i < 3; ++i) edge();
-    model_->rst_ni = 1;
+    model_.reset();
   }
-  ~TopBench() { model_->final(); }
-  TopBench(const TopBench&) = delete;
-  TopBench& operator=(const TopBench&) = delete;
 
   AxiMemory& memory() { return memory_; }
   Model& model() { return *model_; }
   const Rings& rings() const { return rings_; }
   bool interrupt() const { return model_->irq_o != 0; }
   /// An assertion of the hardware has failed.
-  bool asserted() const { return context_.gotError(); }
+  bool asserted() const { return model_.asserted(); }
   std::uint64_t cycles() const { return cycles_; }
 
   /// One clock cycle, memory included.
   void clock() {
     memory_.drive(*model_);
-    model_->clk_i = 0;
-    model_->eval();
+    model_.settle();
     memory_.sample(*model_);
-    edge();
+    model_.rise();
     ++cycles_;
   }
   void run(std::uint64_t cycles) {
@@ -101,7 +88,7 @@ class TopBench {
       if (i > kAccessCycles) throw std::runtime_error("a register write is not answered");
       model_->s_axil_awvalid_i = address_left && i >= address_first;
       model_->s_axil_wvalid_i = data_left && i >= data_first;
-      settle();
+      model_.settle();
       const bool answered = model_->s_axil_bvalid_o != 0;
       const unsigned response = model_->s_axil_bresp_o;
       if (model_->s_axil_awvalid_i && model_->s_axil_awready_o) address_left = false;
@@ -120,7 +107,7 @@ class TopBench {
       if (i > kAccessCycles) throw std::runtime_error("a register read is not answered");
       model_->s_axil_arvalid_i = left;
       model_->s_axil_rready_i = random_() % 2;
-      settle();
+      model_.settle();
       const bool answered = model_->s_axil_rvalid_o && model_->s_axil_rready_i;
       const Access result{model_->s_axil_rdata_o, model_->s_axil_rresp_o};
       if (model_->s_axil_arvalid_i && model_->s_axil_arready_o) left = false;
@@ -226,16 +213,6 @@ class TopBench {
  private:
   static constexpr unsigned kAccessCycles = 100;
 
-  void settle() {
-    model_->clk_i = 0;
-    model_->eval();
-  }
-  void edge() {
-    model_->clk_i = 0;
-    model_->eval();
-    model_->clk_i = 1;
-    model_->eval();
-  }
   void write_address(std::uint32_t low_offset, std::uint64_t address) {
     write(low_offset, static_cast<std::uint32_t>(address));
     write(low_offset + 4, static_cast<std::uint32_t>(address >> 32));
@@ -244,8 +221,7 @@ class TopBench {
     return rings_.commands() + 16ULL * (place & ((1u << rings_.command_log2) - 1));
   }
 
-  VerilatedContext context_;
-  std::unique_ptr<Model> model_;
+  ClockedModel<Model> model_;
   AxiMemory memory_;
   std::mt19937 random_;
   Rings rings_;

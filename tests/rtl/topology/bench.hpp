@@ -3,15 +3,12 @@
 // random.
 #pragma once
 
-#include <verilated.h>
-
 #include <array>
 #include <cstdint>
-#include <memory>
-#include <random>
 #include <span>
 #include <stdexcept>
 
+#include "tests/rtl/clocked_model.hpp"
 #include "tests/rtl/topology/outcome.hpp"
 
 namespace gnomon::rtl_test::topology {
@@ -24,24 +21,14 @@ struct Stalls {
 template <class Model>
 class TopologyBench {
  public:
-  explicit TopologyBench(std::uint32_t seed) : random_(seed) {
-    context_.randReset(2);  // registers and memories start with random contents
-    context_.randSeed(static_cast<int>(seed | 1u));
-    model_ = std::make_unique<Model>(&context_);
-    reset();
-  }
-  ~TopologyBench() { model_->final(); }
-  TopologyBench(const TopologyBench&) = delete;
-  TopologyBench& operator=(const TopologyBench&) = delete;
+  explicit TopologyBench(std::uint32_t seed) : model_(seed), ports_(seed) { reset(); }
 
   void reset() {
     model_->start_i = 0;
     model_->item_valid_i = 0;
     model_->register_write_i = 0;
     model_->result_ready_i = 0;
-    model_->rst_ni = 0;
-    for (int i = 0; i < 3; ++i) clock();
-    model_->rst_ni = 1;
+    model_.reset();
     outcome_ = {};
     last_op_ = {};
     left_ = UINT64_MAX;
@@ -101,7 +88,7 @@ class TopologyBench {
   }
 
   void send(Word item) {
-    while (left_ > 0 && !open(stalls_.items)) cycle();
+    while (left_ > 0 && !ports_.open(stalls_.items)) cycle();
     model_->item_valid_i = 1;
     model_->word_i = item;
     while (left_ > 0 && !cycle()) {
@@ -110,8 +97,7 @@ class TopologyBench {
   }
 
   void drain() {
-    model_->clk_i = 0;
-    model_->eval();
+    model_.settle();
     while (left_ > 0 && !model_->idle_o) cycle();
   }
 
@@ -119,16 +105,15 @@ class TopologyBench {
   bool cycle() {
     if (left_ == 0) return false;
     if (left_ != UINT64_MAX) --left_;
-    model_->result_ready_i = open(stalls_.results);
-    model_->clk_i = 0;
-    model_->eval();
+    model_->result_ready_i = ports_.open(stalls_.results);
+    model_.settle();
     const bool taken = model_->item_valid_i && model_->item_ready_o;
     const bool given = model_->result_valid_o && model_->result_ready_i;
     if (given) outcome_.results.push_back(model_->result_o);
     count();
     quiet_ = taken || given || model_->step_o ? 0 : quiet_ + 1;
     if (quiet_ > kHangCycles) throw std::runtime_error("the hardware hangs");
-    clock();
+    model_.rise();
     ++cycles_;
     return taken;
   }
@@ -146,18 +131,8 @@ class TopologyBench {
     outcome_.sticky.quad_off_plane |= model_->clipped_o != 0;
   }
 
-  bool open(unsigned chance) { return chance >= 256 || (random_() & 255u) < chance; }
-
-  void clock() {
-    model_->clk_i = 0;
-    model_->eval();
-    model_->clk_i = 1;
-    model_->eval();
-  }
-
-  VerilatedContext context_;
-  std::unique_ptr<Model> model_;
-  std::mt19937 random_;
+  ClockedModel<Model> model_;
+  RandomPorts ports_;
   Stalls stalls_;
   Outcome outcome_;
   TopologyOp last_op_{};

@@ -2,16 +2,13 @@
 // Runs loops through a Verilated slb_outline, holding its three ports back at random.
 #pragma once
 
-#include <verilated.h>
-
 #include <cstdint>
-#include <memory>
-#include <random>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 
+#include "tests/rtl/clocked_model.hpp"
 #include "tests/rtl/slb/outline/outcome.hpp"
 
 namespace gnomon::rtl_test::slb {
@@ -26,26 +23,15 @@ class OutlineBench {
  public:
   /// `fault` is one of mutations_pkg.sv, in a build that has them.
   OutlineBench(const SlbConfig& config, std::uint32_t seed, const std::string& fault = {})
-      : config_(config), random_(seed) {
-    const std::string argument = "+" + fault;
-    const char* arguments[] = {"bench", argument.c_str()};
-    context_.commandArgs(fault.empty() ? 1 : 2, arguments);
-    context_.randReset(2);  // registers and memories start with random contents
-    context_.randSeed(static_cast<int>(seed | 1u));
-    model_ = std::make_unique<Model>(&context_);
+      : config_(config), model_(seed, fault), ports_(seed) {
     reset();
   }
-  ~OutlineBench() { model_->final(); }
-  OutlineBench(const OutlineBench&) = delete;
-  OutlineBench& operator=(const OutlineBench&) = delete;
 
   void reset() {
     model_->in_valid_i = 0;
     model_->chain_ready_i = 0;
     model_->wind_ready_i = 0;
-    model_->rst_ni = 0;
-    for (int i = 0; i < 3; ++i) clock();
-    model_->rst_ni = 1;
+    model_.reset();
   }
 
   /// Everything that comes of the loops, once nothing is under way. Throws if nothing moves for long.
@@ -91,7 +77,7 @@ class OutlineBench {
   static constexpr std::uint64_t kHangCycles = 300'000;  // longer than the longest edge takes
 
   void send(const Vertex& vertex, bool close, Stalls stalls, Outcome& outcome) {
-    while (!open(stalls.vertices)) cycle(stalls, outcome);
+    while (!ports_.open(stalls.vertices)) cycle(stalls, outcome);
     model_->in_valid_i = 1;
     model_->in_close_i = close;
     set(model_->in_x_i, vertex.x, config_.vertex_width());
@@ -103,24 +89,22 @@ class OutlineBench {
   }
 
   void drain(Stalls stalls, Outcome& outcome) {
-    model_->clk_i = 0;
-    model_->eval();
+    model_.settle();
     while (!model_->idle_o) cycle(stalls, outcome);
   }
 
   /// Returns whether the beat offered was taken.
   bool cycle(Stalls stalls, Outcome& outcome) {
-    model_->chain_ready_i = open(stalls.chains);
-    model_->wind_ready_i = open(stalls.winds);
-    model_->clk_i = 0;
-    model_->eval();
+    model_->chain_ready_i = ports_.open(stalls.chains);
+    model_->wind_ready_i = ports_.open(stalls.winds);
+    model_.settle();
     const bool taken = model_->in_valid_i && model_->in_ready_o;
     if (model_->chain_valid_o && model_->chain_ready_i) outcome.chains.push_back(chain());
     if (model_->wind_valid_o && model_->wind_ready_i) outcome.winds.push_back(wind());
     count(outcome.counts);
     quiet_ = taken || model_->event_crossing_o ? 0 : quiet_ + 1;
     if (quiet_ > kHangCycles) throw std::runtime_error("the hardware hangs");
-    clock();
+    model_.rise();
     ++cycles_;
     return taken;
   }
@@ -156,19 +140,10 @@ class OutlineBench {
   static void set(Port& port, Value value, int bits) {
     port = static_cast<Port>(static_cast<std::uint64_t>(value) & ((std::uint64_t{1} << bits) - 1));
   }
-  bool open(unsigned chance) { return chance >= 256 || (random_() & 255u) < chance; }
-
-  void clock() {
-    model_->clk_i = 0;
-    model_->eval();
-    model_->clk_i = 1;
-    model_->eval();
-  }
 
   SlbConfig config_;
-  VerilatedContext context_;
-  std::unique_ptr<Model> model_;
-  std::mt19937 random_;
+  ClockedModel<Model> model_;
+  RandomPorts ports_;
   std::uint64_t cycles_ = 0, quiet_ = 0;
 };
 
