@@ -29,6 +29,7 @@ module axi_master #(
   output logic [AXI_DATA_BITS-1:0]     beat_o,    // of descriptors and commands
   output logic                         beat_last_o,
   input  system_pkg::result_want_t     result_i,
+  input  logic [511:0]                 result_data_i,
   output system_pkg::write_give_t      result_o,
   // Line port of the cache.
   input  cache_pkg::port_want_t        lines_i,
@@ -60,7 +61,7 @@ module axi_master #(
   );
   axi_write #(.AXI_DATA_BITS(AXI_DATA_BITS), .EN_LINES(EN_LINES), .LINE_IDS_LOG2(LINE_IDS_LOG2)) u_write (
     .clk_i, .rst_ni, .core_rst_ni, .may_start_i, .epoch_i, .give_up_i, .pending_o(write_pending), .late_o(write_late),
-    .result_i, .result_o, .completion_i(descriptor_i), .completion_o, .lines_i,
+    .result_i, .result_data_i, .result_o, .completion_i(descriptor_i), .completion_o, .lines_i,
     .line_write_ready_o(lines_o.write_ready), .line_written_valid_o(lines_o.written_valid),
     .line_written_id_o(lines_o.written_id), .aw_o, .awready_i, .wvalid_o, .wready_i, .wdata_o, .wstrb_o, .wlast_o, .b_i,
     .active_o(write_active), .active_address_o(write_address), .fault_o(write_fault_o)

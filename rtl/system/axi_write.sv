@@ -19,6 +19,7 @@ module axi_write #(
   output logic                          late_o,        // answers of the epoch before are due
   // Users.
   input  system_pkg::result_want_t      result_i,
+  input  logic [511:0]                  result_data_i,
   output system_pkg::write_give_t       result_o,
   input  system_pkg::descriptor_want_t  completion_i,  // its writes
   output system_pkg::write_give_t       completion_o,
@@ -76,7 +77,7 @@ module axi_write #(
       user  = system_pkg::ID_RESULT;
       first = result_i.first;
       last  = result_i.last;
-      data  = result_i.data;
+      data  = result_data_i;
     end else if (grant[1]) begin
       line  = completion_i.place[63:6];
       user  = system_pkg::ID_DESCRIPTOR;

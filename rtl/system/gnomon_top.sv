@@ -204,6 +204,7 @@ module gnomon_top #(
   logic [31:0]                  fetch_words;
   logic [63:3]                  fetch_address;
   logic [63:0]                  ring_word;
+  logic [511:0]                 result_data;
   logic [AXI_DATA_BITS-1:0]     beat;
   ring_check #(.PLACE_LOG2(system_pkg::DESCRIPTOR_LOG2), .LOG2_MIN(1), .LOG2_MAX(16)) u_command_ring (
     .ring_i(command_ring), .good_o(command_ring_good)
@@ -230,7 +231,7 @@ module gnomon_top #(
   result_dma u_results (
     .clk_i, .rst_ni(core_rst_n), .stopped_i(stopped), .ring_i(result_ring), .flush_i(core_idle),
     .result_valid_i(res_valid && !source), .result_ready_o(ring_result_ready), .result_i(res_data),
-    .want_o(result_want), .write_i(result_write), .head_step_o(head_step), .empty_o(results_empty),
+    .want_o(result_want), .data_o(result_data), .write_i(result_write), .head_step_o(head_step), .empty_o(results_empty),
     .blocked_o(result_blocked), .full_o(result_full), .waiting_o(result_waiting)
   );
 
@@ -272,7 +273,7 @@ module gnomon_top #(
     .read_fault_o(read_fault), .write_fault_o(write_fault), .timeout_fault_o(timeout_fault),
     .descriptor_i(descriptor_want), .descriptor_o(descriptor_read), .completion_o(completion_write),
     .command_i(command_want), .command_o(command_read), .beat_o(beat), .beat_last_o(beat_last), .result_i(result_want),
-    .result_o(result_write), .lines_i(lines_want), .lines_o(lines_give),
+    .result_data_i(result_data), .result_o(result_write), .lines_i(lines_want), .lines_o(lines_give),
     .ar_o(ar), .arready_i(m_axi_arready_i), .r_i(r), .rlast_i(m_axi_rlast_i), .rdata_i(m_axi_rdata_i),
     .aw_o(aw), .awready_i(m_axi_awready_i), .wvalid_o(m_axi_wvalid_o), .wready_i(m_axi_wready_i), .wdata_o(m_axi_wdata_o),
     .wstrb_o(m_axi_wstrb_o), .wlast_o(m_axi_wlast_o), .b_i(b)

@@ -16,6 +16,7 @@ module result_dma (
   input  logic [63:0]              result_i,
   // Writes: words of a line.
   output system_pkg::result_want_t want_o,
+  output logic [511:0]             data_o,
   input  system_pkg::write_give_t  write_i,
   // State.
   output logic [3:0]               head_step_o,  // so many more words lie in memory
@@ -77,7 +78,7 @@ module result_dma (
   assign want_o.line   = ring_i.base[63:6] | 58'(first_in_ring[31:3]);  // the base is aligned to the ring
   assign want_o.first  = first_in_ring[2:0];
   assign want_o.last   = first_in_ring[2:0] + gathered_q[2:0] - 3'd1;
-  assign want_o.data   = data_q;
+  assign data_o        = data_q;
   assign want_o.oldest = ring_i.base | {29'd0, head_in_ring, 3'd0};
   assign want_o.active = send_q || under_way_q != '0;
 

@@ -5,7 +5,7 @@
 package system_pkg;
 
   // ---- Transactions: an id is {epoch, whether a line of the cache, its number there or the user} ----
-  localparam int unsigned USER          = 6;     // bits of an id without the epoch, where it is widest: cache_pkg::LINE_ID + 1
+  localparam int unsigned USER          = 6;     // widest bits of an id but for the epoch: cache_pkg::LINE_ID + 1
   localparam logic [5:0]  ID_RESULT     = 6'd0;
   localparam logic [5:0]  ID_DESCRIPTOR = 6'd1;  // and completions
   localparam logic [5:0]  ID_COMMAND    = 6'd2;
@@ -71,14 +71,13 @@ package system_pkg;
     logic [63:0] oldest;
   } command_want_t;
   typedef struct packed {
-    logic         valid;
-    logic         active;
-    logic [63:0]  oldest;
-    logic [63:6]  line;
-    logic [2:0]   first;  // word of it
-    logic [2:0]   last;
-    logic [511:0] data;
-  } result_want_t;
+    logic        valid;
+    logic        active;
+    logic [63:0] oldest;
+    logic [63:6] line;
+    logic [2:0]  first;  // word of it
+    logic [2:0]  last;
+  } result_want_t;  // its data go beside it: as a part of it, shifts of 512 bits would cost simulation 5 %
   // What they get.
   typedef struct packed {
     logic ready;
