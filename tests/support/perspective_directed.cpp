@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <gnomon/golden/codec.hpp>
 #include <gnomon/golden/stream.hpp>
 #include <span>
 
+#include "tests/support/box_size.hpp"
 #include "tests/support/perspective_registers.hpp"
 #include "tests/support/voxel_patterns.hpp"
 
@@ -62,6 +64,22 @@ struct Stage {
     return voxel;
   }
 
+  /// Of all quads those whose boxes together are not more than the default plane: near the light small quads
+  /// cover much of a larger one, an entry a cycle.
+  void keep_those_with_room(std::vector<std::array<VoxelItem, 4>>& quads) const {
+    const auto light = projection_registers(registers, config);
+    std::int64_t left = std::int64_t{1} << 18;
+    std::erase_if(quads, [&](const std::array<VoxelItem, 4>& quad) {
+      std::array<Word, 4> corners{};
+      std::transform(quad.begin(), quad.end(), corners.begin(),
+                     [&](const VoxelItem& corner) { return encode(corner, config); });
+      const std::int64_t size = box_size(corners, light, config.topology_config());
+      if (size > left) return true;
+      left -= size;
+      return false;
+    });
+  }
+
   /// Small quads around some of the voxels; few have a corner anywhere, for boxes as large as the plane cost
   /// as many cycles.
   void topology(std::span<const VoxelItem> voxels) {
@@ -73,6 +91,7 @@ struct Stage {
                        beside(voxels[i], reach)});
       if (random.chance(4)) quads.back()[3] = random.pick(voxels);
     }
+    keep_those_with_room(quads);
     const bool in_perspective =
         (registers[static_cast<std::size_t>(Register::Projection)] & golden::kProjectionPerspective) != 0;
     const int bits = in_perspective ? golden::perspective::kClearanceBits : config.depth_bits;

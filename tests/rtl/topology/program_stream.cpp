@@ -5,8 +5,8 @@
 #include <gnomon/golden/codec.hpp>
 #include <span>
 
-#include "tests/rtl/topology/box_size.hpp"
 #include "tests/rtl/topology/programs.hpp"
+#include "tests/support/box_size.hpp"
 #include "tests/support/perspective_registers.hpp"
 
 namespace gnomon::rtl_test::topology {
@@ -81,7 +81,7 @@ class ProgramStream {
   }
 
   bool has_room(std::span<const Word, golden::topology::kWordsPerQuad> quad) {
-    const std::int64_t entries = box_size(quad, light_, config_.topology_config());
+    const std::int64_t entries = stimulus::box_size(quad, light_, config_.topology_config());
     if (entries > entries_left_) return false;
     entries_left_ -= entries;
     return true;

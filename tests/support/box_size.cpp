@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/rtl/topology/box_size.hpp"
+#include "tests/support/box_size.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
-namespace gnomon::rtl_test::topology {
+namespace gnomon::stimulus {
 
 namespace {
 
 using golden::perspective::View;
 using golden::topology::Corner;
 using golden::topology::Item;
+using golden::topology::ProjectionRegisters;
+using golden::topology::TopologyConfig;
+using golden::topology::Word;
 
 /// Entries from the lowest to the highest of some sub-entries, without those beyond the plane.
 struct Range {
@@ -60,4 +63,4 @@ std::int64_t box_size(std::span<const Word, golden::topology::kWordsPerQuad> cor
   return u.size(config) * v.size(config);
 }
 
-}  // namespace gnomon::rtl_test::topology
+}  // namespace gnomon::stimulus
