@@ -38,11 +38,13 @@ bool CycleModel::list_cycle(bool item, bool header, bool more) {
                      : cached_put_ ? cached_put_->cycle(offered, now_, list_memories(), nodes_, beat)
                                    : walk_->cycle(offered, room, list_memories(), beat);
   if (header) beat = Beat::Busy;
-  if (ports_ && beat == Beat::Nothing && !(word && !item)) beat = Beat::MemoryWait;
+  const bool over = ports_ ? !word && ports_->commands().over() : !more;
   const Cause cause = beat == Beat::Busy         ? Cause::Busy
+                      : beat == Beat::Blocked    ? ports_->held_back()
                       : beat == Beat::MemoryWait ? Cause::MemoryWait
-                      : more                     ? Cause::Hazard
-                                                 : Cause::InputStarved;
+                      : over                     ? Cause::InputStarved
+                      : word                     ? Cause::Hazard
+                                                 : Cause::MemoryWait;
   ++table_.at(walk_ ? Pass::Resolve : Pass::Project, cause);
   ++now_;
   takes_header_ = false;
@@ -103,7 +105,8 @@ void CycleModel::read_lists(const topology::EntryRange& range) {
   spend(Pass::Read, 1);
   while (given != range.count || !heads.idle(now_)) {
     const bool room = entries.size() < kEntries;
-    const bool gives = !entries.empty() && entries.front() <= now_ && ports_->room();
+    const bool there = !entries.empty() && entries.front() <= now_;
+    const bool gives = there && ports_->room();
     if (gives) entries.pop_front();
     given += gives ? 1 : 0;
     const std::uint32_t index = range.first + asked;
@@ -114,7 +117,7 @@ void CycleModel::read_lists(const topology::EntryRange& range) {
       entries.push_back(now_ + kServedStages);
       heads.serve(now_);
     }
-    ++table_.at(Pass::Read, asks || gives ? Cause::Busy : Cause::MemoryWait);
+    ++table_.at(Pass::Read, asks || gives ? Cause::Busy : there ? ports_->held_back() : Cause::MemoryWait);
     ++now_;
     ports_->cycle(false, gives, false);
   }

@@ -69,7 +69,9 @@ void CycleModel::read_entries_behind_cache() {
   EntryClock reader(range.first, range.count, config_.slb_config());
   while (!reader.over() || !slb_memory_->idle(*ports_)) {
     const SlbMoves moves = reader.cycle(*slb_memory_, *ports_);
-    ++table_.at(Pass::Read, moves.steps ? Cause::Busy : Cause::MemoryWait);
+    ++table_.at(Pass::Read, moves.steps     ? Cause::Busy
+                            : moves.blocked ? ports_->held_back()
+                                            : Cause::MemoryWait);
     ++now_;
     ports_->cycle(false, moves.gives, false);
   }
@@ -109,7 +111,8 @@ bool CycleModel::slb_cycle(const Item* item, const DrawClock::Offer* vertex, boo
   const bool quiet = !word && !closes && slb_idle();
   const SlbMoves moves = slb_moves(word ? item : nullptr, word || closes ? vertex : nullptr);
   const Cause cause = moves.taken || moves.steps || header ? Cause::Busy
-                      : moves.waits || moves.blocked       ? Cause::MemoryWait
+                      : moves.blocked                      ? ports_->held_back()
+                      : moves.waits                        ? Cause::MemoryWait
                       : word                               ? Cause::Hazard
                       : ports_->commands().over()          ? Cause::InputStarved
                                                            : Cause::MemoryWait;

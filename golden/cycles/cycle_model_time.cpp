@@ -64,7 +64,10 @@ Cycle CycleModel::take_word() {
 /// A result of a command that does not stream.
 void CycleModel::give(Pass pass) {
   if (!ports_) return spend(pass, 1);
-  while (!ports_->room()) spend(pass, 0, 1);
+  while (!ports_->room()) {
+    ++table_.at(pass, ports_->held_back());
+    elapse(1);
+  }
   ++table_.at(pass, Cause::Busy);
   ++now_;
   ports_->cycle(false, true, false);
@@ -105,7 +108,9 @@ void CycleModel::read_plane() {
   PlaneRead reader(range.first, range.count, config_.plane_log2, timing_);
   while (!reader.over()) {
     const PlaneRead::Moves moves = reader.cycle(*ports_, cache());
-    ++table_.at(Pass::Read, moves.asks || moves.gives ? Cause::Busy : Cause::MemoryWait);
+    ++table_.at(Pass::Read, moves.asks || moves.gives ? Cause::Busy
+                            : moves.blocked           ? ports_->held_back()
+                                                      : Cause::MemoryWait);
     ++now_;
     ports_->cycle(false, moves.gives, false);
   }
@@ -165,11 +170,12 @@ bool CycleModel::item_cycle(bool item, bool header) {
   CacheClock* const plane = items_pass_ == Pass::Query ? nullptr : cache();
   const bool quiet = !word && items_->idle(now_, plane);
   const ItemClock::Moves moves = items_->cycle(item && word, *ports_, plane);
-  const Cause cause = moves.taken || header          ? Cause::Busy
-                      : moves.waits || moves.blocked ? Cause::MemoryWait
-                      : word                         ? Cause::Hazard
-                      : ports_->commands().over()    ? Cause::InputStarved
-                                                     : Cause::MemoryWait;
+  const Cause cause = moves.taken || header       ? Cause::Busy
+                      : moves.blocked             ? ports_->held_back()
+                      : moves.waits               ? Cause::MemoryWait
+                      : word                      ? Cause::Hazard
+                      : ports_->commands().over() ? Cause::InputStarved
+                                                  : Cause::MemoryWait;
   ++table_.at(items_pass_, cause);
   ++now_;
   takes_header_ = false;

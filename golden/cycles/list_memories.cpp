@@ -74,7 +74,7 @@ bool CachedPutClock::cycle(bool corner, Cycle now, const ListMemories& memories,
   const bool at_quad = front_.out() != FrontEnd::kNone;
   const bool moves = !at_quad || !whole_ || leaves;
   const bool there = !queue_.empty();
-  const bool wants = there && linked_ != queue_.front().entries();
+  const bool wants = there && linked_ != queue_.front().entries() && node_room(nodes);
   const bool links = wants && link(now, memories, nodes);
   const bool record_waits = there && !recorded_ && !record(now, memories);
   const bool node_waits = !nodes_.empty() && nodes_.front().there <= now && !write_node(now, memories);
@@ -104,11 +104,15 @@ bool CachedPutClock::cycle(bool corner, Cycle now, const ListMemories& memories,
   return takes;
 }
 
-/// The first quad to its next entry, while there is room for the node.
+/// There is room for the node of the first quad's next entry, or none comes.
+bool CachedPutClock::node_room(std::uint32_t nodes) const {
+  return !queue_.front().storable || nodes == most_nodes_ || nodes_under_way_ < node_places_;
+}
+
+/// The first quad to its next entry.
 bool CachedPutClock::link(Cycle now, const ListMemories& memories, std::uint32_t& nodes) {
   const Quad& quad = queue_.front();
   const bool linked = quad.storable && nodes < most_nodes_;
-  if (linked && nodes_under_way_ >= node_places_) return false;
   const auto place = static_cast<std::uint32_t>(linked_);
   const std::uint32_t line = memories.head_line(quad.u + place % quad.columns, quad.v + place / quad.columns);
   if (!memories.cache(CachedMemory::Heads)->look_up({.line = line, .writes = true}, now).first) return false;

@@ -104,17 +104,18 @@ void WalkClock::serve(Reads& reads, CacheClock* cache, Cycle more, bool room) {
   cache->serve(now_);
 }
 
-/// The oldest voxel's result leaves, if its walk is done.
-void WalkClock::give_result(bool room) {
+/// The oldest voxel's result leaves, if its walk is done; returns whether it is held back.
+bool WalkClock::give_result(bool room) {
   gave_ = false;
-  if (order_.empty()) return;
+  if (order_.empty()) return false;
   const Voxel& voxel = voxels_[order_.front()];
-  if (voxel.visited != 0 && voxel.done > now_) return;
-  if (!voxel.quiet && !room) return;
+  if (voxel.visited != 0 && voxel.done > now_) return false;
+  if (!voxel.quiet && !room) return true;
   gave_ = !voxel.quiet;
   if (voxel.visited != 0) --walking_;
   if (voxel.kept) kept_until_ = now_ + latency_ + kWritten;
   order_.pop_front();
+  return false;
 }
 
 /// A test's end sends its walk on or ends it; an end that a node told comes where no test ends a walk.
@@ -213,7 +214,7 @@ bool WalkClock::cycle(bool voxel, bool room, const ListMemories& memories, Beat&
   const bool head_room = heads_.served < kCachedEntries, node_room = nodes_.served < kCachedEntries;
   bool record_waits = false;
 
-  give_result(room);
+  const bool blocked = give_result(room);
   if (asks && asked) ask_node(pick, next, memories);
   hold_ = asks && !asked;
   pick_ = pick;
@@ -234,6 +235,8 @@ bool WalkClock::cycle(bool voxel, bool room, const ListMemories& memories, Beat&
   serve(tests_, memories.cache(CachedMemory::Records), kTestStages, true);
   if (visits || takes_voxel)
     beat = Beat::Busy;
+  else if (blocked)
+    beat = Beat::Blocked;
   else if ((reads && !read) || (asks && !asked) || record_waits)
     beat = Beat::MemoryWait;
   ++now_;

@@ -16,7 +16,7 @@
 namespace gnomon::golden::cycles {
 
 /// What a cycle was.
-enum class Beat : std::uint8_t { Busy, MemoryWait, Nothing };
+enum class Beat : std::uint8_t { Busy, MemoryWait, Blocked, Nothing };
 
 /// The projection unit's front end: all stages move together, or none does.
 class FrontEnd {
@@ -91,6 +91,7 @@ class CachedPutClock {
 
  private:
   using Quad = topology::ListWork::Quad;
+  bool node_room(std::uint32_t nodes) const;
   bool link(Cycle now, const ListMemories& memories, std::uint32_t& nodes);
   bool record(Cycle now, const ListMemories& memories);
   bool write_node(Cycle now, const ListMemories& memories);
@@ -163,7 +164,7 @@ class WalkClock {
   void ask(Reads& reads, Token token, CacheClock* cache, std::uint32_t line, Cycle more);
   void serve(Reads& reads, CacheClock* cache, Cycle more, bool room);
   bool at_last(const Token& token) const { return token.node + 1 == voxels_[token.voxel].visited; }
-  void give_result(bool room);
+  bool give_result(bool room);
   void end_walks();
   bool leave_seen(bool ends_full, const ListMemories& memories, bool& waits);
   bool see_node(bool seen_leaves);

@@ -40,7 +40,9 @@ PlaneRead::Moves PlaneRead::cycle(const Ports& ports, CacheClock* cache) {
   const Cycle now = ports.now();
   const bool room = entries_.size() < (cache != nullptr ? kCachedEntries : places_);
   Moves moves;
-  moves.gives = !entries_.empty() && entries_.front() <= now && ports.room();
+  const bool there = !entries_.empty() && entries_.front() <= now;
+  moves.gives = there && ports.room();
+  moves.blocked = there && !moves.gives;
   if (moves.gives) {
     entries_.pop_front();
     --to_give_;

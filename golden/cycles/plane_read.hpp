@@ -21,6 +21,7 @@ class PlaneRead {
 
   struct Moves {
     bool asks = false, gives = false;
+    bool blocked = false;  ///< an entry that is there
   };
   /// One cycle of `ports`, which is still to come; `cache`: the plane's, or none.
   Moves cycle(const Ports& ports, CacheClock* cache);

@@ -62,7 +62,7 @@ void CommandFetch::cycle(bool takes, bool beat, bool last) {
 }
 
 void ResultDma::cycle(Cycle now, bool gives, bool sent, bool flush) {
-  const bool room = words_ - taken_ < kRingWords;
+  const bool room = !full();
   const bool takes = skid_ != 0 && room && (!send_ || sent);
   const bool line_ends = words_ % kLineWords == kLineWords - 1;
   if (takes)

@@ -57,6 +57,8 @@ class ResultDma {
   /// `software`: cycles from a full ring to an empty one.
   explicit ResultDma(Cycle software) : software_(software) {}
   bool room() const { return skid_ < 2; }
+  /// Nothing goes to memory until software has taken what is there.
+  bool full() const { return words_ - taken_ >= kRingWords; }
   bool writes() const { return send_ && under_way_ < kBursts; }
   std::uint64_t first() const { return words_ - gathered_; }  ///< of what is written, counted since reset
   std::uint32_t words() const { return gathered_; }
@@ -100,6 +102,8 @@ class Ports {
   bool word() const { return commands_.word(); }
   /// A result is taken in this cycle, if one is given.
   bool room() const { return results_.room(); }
+  /// What a cycle is in which a result is not taken.
+  Cause held_back() const { return results_.full() ? Cause::OutputBlocked : Cause::MemoryWait; }
   /// Behind a cache of its own from now on. Memories come in their order.
   void add_cache(CachedMemory memory, int size_log2, int lines_log2);
   bool has(CachedMemory memory) const { return place_of(memory) != kNoCache; }

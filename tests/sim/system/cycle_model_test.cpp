@@ -24,7 +24,9 @@ using golden::Pass;
 using stimulus::Pattern;
 using Words = std::vector<Word>;
 
-/// A build, and how far off its passes may be, in percent: 0.5 and a few cycles.
+/// What the processor's own accesses to memory, which the model leaves out, may move in a cell.
+constexpr std::uint64_t kGrace = 8;
+
 struct Build {
   const char* name;
   golden::HardwareConfig config;
@@ -76,18 +78,19 @@ CycleTable predict(const Build& build, std::uint32_t latency, const Words& words
   return golden::predict_cycles(build.config, pipeline::cycle_timing(options_of(build, latency)), words);
 }
 
-/// Passes that are off by more than half a percent and `grace` cycles: "PROJECT: 500 measured, 600
-/// predicted".
+/// Cells that are off by more than `grace` cycles: "PROJECT.HAZARD: 500 measured, 600 predicted".
 std::vector<std::string> far_off(const CycleTable& measured, const CycleTable& predicted,
                                  std::uint64_t grace) {
-  std::vector<std::string> passes;
-  for (std::size_t p = 1; p < golden::kPasses; ++p) {
-    const std::uint64_t is = measured.of(static_cast<Pass>(p)), told = predicted.of(static_cast<Pass>(p));
-    if (std::max(is, told) - std::min(is, told) <= is / 200 + grace) continue;
-    passes.push_back(std::string(kPassNames.at(p)) + ": " + std::to_string(is) + " measured, " +
-                     std::to_string(told) + " predicted");
-  }
-  return passes;
+  std::vector<std::string> cells;
+  for (std::size_t p = 1; p < golden::kPasses; ++p)
+    for (std::size_t c = 0; c < golden::kCauses; ++c) {
+      const std::uint64_t is = measured.at(static_cast<Pass>(p), static_cast<golden::Cause>(c));
+      const std::uint64_t told = predicted.at(static_cast<Pass>(p), static_cast<golden::Cause>(c));
+      if (std::max(is, told) - std::min(is, told) <= grace) continue;
+      cells.push_back(cycle_counter_name(p, c) + ": " + std::to_string(is) + " measured, " +
+                      std::to_string(told) + " predicted");
+    }
+  return cells;
 }
 
 /// Projected and resolved, as a scene is; a surface and points anywhere.
@@ -112,7 +115,8 @@ TEST_P(SystemCycles, AreThoseOfScenes) {
   for (const std::uint32_t latency : {20u, 100u, 200u}) {
     const Words words = scene(GetParam().config, latency);
     const CycleTable measured = measure(GetParam(), latency, words);
-    EXPECT_THAT(far_off(measured, predict(GetParam(), latency, words), 8), testing::IsEmpty()) << latency;
+    EXPECT_THAT(far_off(measured, predict(GetParam(), latency, words), kGrace), testing::IsEmpty())
+        << latency;
     EXPECT_GT(measured.of(Pass::Resolve), 6'000u);
     EXPECT_GT(measured.of(Pass::Project), 6'000u);
   }
@@ -123,7 +127,8 @@ TEST_P(SystemCycles, AreThoseOfRandomStreams) {
   for (const std::uint32_t latency : {20u, 200u}) {
     const Words words = stimulus::random_stream(GetParam().config, {.seed = latency, .commands = 150});
     const CycleTable measured = measure(GetParam(), latency, words);
-    EXPECT_THAT(far_off(measured, predict(GetParam(), latency, words), 40), testing::IsEmpty()) << latency;
+    EXPECT_THAT(far_off(measured, predict(GetParam(), latency, words), 2 * kGrace), testing::IsEmpty())
+        << latency;
   }
 }
 
@@ -134,7 +139,7 @@ TEST(SystemCycleModel, KnowsEveryUnitBehindItsCaches) {
     const Words words = stimulus::random_stream(
         build.config, {.seed = latency, .commands = 600, .max_items = 200, .illegal_percent = 0});
     const CycleTable measured = measure(build, latency, words);
-    EXPECT_THAT(far_off(measured, predict(build, latency, words), 40), testing::IsEmpty()) << latency;
+    EXPECT_THAT(far_off(measured, predict(build, latency, words), kGrace), testing::IsEmpty()) << latency;
     for (const Pass pass : {Pass::Project, Pass::Resolve, Pass::Read, Pass::Draw, Pass::Fill, Pass::Query})
       EXPECT_GT(measured.of(pass), 4'000u) << static_cast<int>(pass);
     EXPECT_GT(measured.of(Pass::Cover), 1'000u);
@@ -149,12 +154,12 @@ TEST(SystemCycleModel, IsChecked) {
   const Build& build = kBuilds[2];
   const Words words = scene(build.config, 5);
   const CycleTable measured = measure(build, 200, words);
-  EXPECT_THAT(far_off(measured, predict(build, 200, words), 8), testing::IsEmpty());
+  EXPECT_THAT(far_off(measured, predict(build, 200, words), kGrace), testing::IsEmpty());
   Build larger = build;
   larger.cache_log2 = 13;
   for (const auto& wrong :
        {predict(build, 100, words), predict(build, 220, words), predict(larger, 200, words)})
-    EXPECT_THAT(far_off(measured, wrong, 8), testing::Contains(testing::StartsWith("RESOLVE")));
+    EXPECT_THAT(far_off(measured, wrong, kGrace), testing::Contains(testing::HasSubstr("RESOLVE")));
 }
 
 }  // namespace
