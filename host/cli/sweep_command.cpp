@@ -172,6 +172,8 @@ class SweepCommand : public Command {
     double seconds = 0;
     sweep::RunnerCounts measured, confirmed;
     SweepArea::Counts area;
+
+    std::size_t flagged() const { return measured.flagged + confirmed.failed; }
   };
 
   Result<int> finish(Context& context, const Job& job, sweep::Store& store) const {
@@ -198,7 +200,7 @@ class SweepCommand : public Command {
         return tl::make_unexpected(done.error());
     }
     print(job, outcome);
-    return outcome.confirmed.failed > 0 ? kComparisonFailed : kDone;
+    return outcome.flagged() > 0 ? kComparisonFailed : kDone;
   }
 
   Result<void> write_report(Context& context, const std::string& name,
@@ -227,11 +229,11 @@ class SweepCommand : public Command {
     const fs::path result = output_ / (job.shard.count == 1 ? "report.html" : job.shard.file());
     if (json_) {
       const nlohmann::ordered_json figures{
-          {"points", job.all.size()},    {"measured", counts.done},
-          {"failed", counts.failed},     {"missing", outcome.left},
-          {"seconds", outcome.seconds},  {"points_per_second", rate},
-          {"scenes", counts.scenes},     {"confirmed", confirmed.done},
-          {"flagged", confirmed.failed}, {"area_points", outcome.area.points},
+          {"points", job.all.size()},     {"measured", counts.done},
+          {"failed", counts.failed},      {"missing", outcome.left},
+          {"seconds", outcome.seconds},   {"points_per_second", rate},
+          {"scenes", counts.scenes},      {"confirmed", confirmed.done},
+          {"flagged", outcome.flagged()}, {"area_points", outcome.area.points},
           {"output", result.string()}};
       fmt::print("{}\n", figures.dump(2));
       return;
@@ -240,6 +242,9 @@ class SweepCommand : public Command {
                job.all.size(), outcome.seconds, rate, counts.failed, outcome.left);
     if (!job.selection.empty())
       fmt::print("{} points confirmed on the hardware, {} flagged\n", confirmed.done, confirmed.failed);
+    if (counts.flagged > 0)
+      fmt::print("{} points measured on the hardware are flagged: the cycle model disagrees\n",
+                 counts.flagged);
     if (area_.asked())
       fmt::print("{} points with an area, of {} units; {} of them estimated now\n", outcome.area.points,
                  outcome.area.units, outcome.area.runs);

@@ -27,11 +27,11 @@ std::map<std::string, double> by_pass(const Cycles& cycles) {
   return passes;
 }
 
-std::string verdict_of(const report::CompareRecord& compare, double error) {
+std::string verdict_of(const report::CompareRecord& compare, double error, double bound) {
   if (compare.failed()) return "flagged: " + report::verdict(compare);
-  if (error > kCycleBound)
+  if (error > bound)
     return fmt::format("flagged: predicted cycles are off by {:.2f} %, more than {:.1f} %", 100 * error,
-                       100 * kCycleBound);
+                       100 * bound);
   return std::string(kAgrees);
 }
 
@@ -49,7 +49,8 @@ std::map<std::string, double> cycle_figures(const std::string& name, const Cycle
   return figures;
 }
 
-Measurement confirmation(const Cycles& model, const Cycles& rtl, const report::CompareRecord& compare) {
+Measurement confirmation(const Cycles& model, const Cycles& rtl, const report::CompareRecord& compare,
+                         double bound) {
   Measurement measured;
   measured.figures = cycle_figures("rtl", rtl);
   std::map<std::string, double> predicted = by_pass(model);
@@ -63,8 +64,13 @@ Measurement confirmation(const Cycles& model, const Cycles& rtl, const report::C
   measured.figures["confirm.cycle_error"] = error;
   measured.figures["confirm.words"] = static_cast<double>(compare.words);
   measured.figures["confirm.differing"] = static_cast<double>(compare.differing + compare.other_faults);
-  measured.labels.emplace(kConfirmLabel, verdict_of(compare, error));
+  measured.labels.emplace(kConfirmLabel, verdict_of(compare, error, bound));
   return measured;
+}
+
+bool is_flagged(const Measurement& measured) {
+  const auto label = measured.labels.find(std::string(kConfirmLabel));
+  return label != measured.labels.end() && label->second != kAgrees;
 }
 
 }  // namespace gnomon::sweep

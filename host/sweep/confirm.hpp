@@ -19,15 +19,21 @@ using Cycles = std::map<std::string, std::uint64_t>;
 inline constexpr std::string_view kConfirmLabel = "confirmed";
 inline constexpr std::string_view kAgrees = "agrees";
 
-/// Cycles of all passes together that model and hardware may differ by, as a share of the hardware's. On the
-/// chip the model is exact but for what its page says.
-inline constexpr double kCycleBound = 0.001;
+/// Cycles of all passes together that model and hardware may differ by, as a share of the hardware's. With
+/// everything on the chip the model is exact but for what its page says; within the system it leaves out the
+/// processor.
+inline constexpr double kChipBound = 0.001, kSystemBound = 0.01;
 
 /// Figures "NAME.cycles" (all passes that decide shadows) and "NAME.cycles.PASS" of what took any.
 std::map<std::string, double> cycle_figures(const std::string& name, const Cycles& cycles);
 
 /// What is stored of a point that ran on the hardware: "rtl.cycles...", "confirm.words", "confirm.differing",
-/// "confirm.cycle_error" (the passes' differences added up, as a share of "rtl.cycles"), and the label.
-Measurement confirmation(const Cycles& model, const Cycles& rtl, const report::CompareRecord& compare);
+/// "confirm.cycle_error" (the passes' differences added up, as a share of "rtl.cycles"), and the label, which
+/// flags a point whose error is above `bound`.
+Measurement confirmation(const Cycles& model, const Cycles& rtl, const report::CompareRecord& compare,
+                         double bound);
+
+/// The point ran on the hardware, and does not agree.
+bool is_flagged(const Measurement& measured);
 
 }  // namespace gnomon::sweep

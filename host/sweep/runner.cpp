@@ -73,9 +73,11 @@ class Runner {
 
 RunnerCounts run_tasks(const std::vector<Task>& tasks, Store& store, const RunnerOptions& options) {
   std::mutex write;
-  const auto put = [&](const Row& row) {
+  std::size_t flagged = 0;
+  const auto put = [&](const Row& row, bool flag = false) {
     const std::scoped_lock lock(write);
     store.put(row);
+    flagged += flag ? 1 : 0;
   };
   const auto refuse = [&](const Task& task, const std::string& why) {
     Row row = row_of(task);
@@ -88,13 +90,16 @@ RunnerCounts run_tasks(const std::vector<Task>& tasks, Store& store, const Runne
       refuse(task, measured.error().message);
       return false;
     }
+    const bool flag = is_flagged(*measured);
     Row row = row_of(task);
     row.figures = std::move(measured->figures);
     row.labels = std::move(measured->labels);
-    put(row);
+    put(row, flag);
     return true;
   };
-  return Runner(options, tasks.size(), measure, refuse).run(tasks);
+  RunnerCounts counts = Runner(options, tasks.size(), measure, refuse).run(tasks);
+  counts.flagged = flagged;
+  return counts;
 }
 
 RunnerCounts confirm_tasks(const std::vector<Task>& tasks, Store& store, const RunnerOptions& options) {
@@ -113,9 +118,7 @@ RunnerCounts confirm_tasks(const std::vector<Task>& tasks, Store& store, const R
       return false;
     }
     amend(task, *measured);
-    // A technique without hardware has no label: there is nothing to confirm.
-    const auto label = measured->labels.find(std::string(kConfirmLabel));
-    return label == measured->labels.end() || label->second == kAgrees;
+    return !is_flagged(*measured);
   };
   return Runner(options, tasks.size(), confirm, refuse).run(tasks);
 }

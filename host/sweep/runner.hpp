@@ -19,7 +19,8 @@ struct RunnerOptions {
 
 struct RunnerCounts {
   std::size_t done = 0, failed = 0;
-  std::size_t scenes = 0;  ///< how often surfaces, voxels and exact shadows were made
+  std::size_t flagged = 0;  ///< of those done: model and hardware disagree (confirm.hpp)
+  std::size_t scenes = 0;   ///< how often surfaces, voxels and exact shadows were made
   bool interrupted = false;
 };
 

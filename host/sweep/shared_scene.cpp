@@ -38,6 +38,17 @@ Measurement figures_of(const report::RunRecord& record) {
   return measured;
 }
 
+/// On what the point ran, or what was predicted: the whole system, or everything on the chip.
+double bound_of(const pipeline::RunRequest& request) {
+  return request.engine == pipeline::EngineKind::System ? kSystemBound : kChipBound;
+}
+
+/// Whether what ran is what was predicted: not units behind a front end of the simulation's own.
+bool is_predicted(const pipeline::RunRequest& request) {
+  return request.engine != pipeline::EngineKind::System ||
+         request.settings.system.hardware == sim::system::HardwareModel::Top;
+}
+
 /// Of an engine under test: back from passes and causes to names.
 Cycles named(const std::vector<report::PassCycles>& passes) {
   Cycles cycles;
@@ -126,7 +137,15 @@ Result<Measurement> SharedScene::by_run(const pipeline::RunRequest& request) {
   Measurement measured = figures_of(*record);
   const Cycles model = record->software ? cycles_of_work(*record) : record->predicted_cycles;
   if (!model.empty()) add(measured, cycle_figures("model", model));
-  if (record->compare.compared) add(measured, cycle_figures("rtl", named(record->cycles)));
+  if (!record->compare.compared) return measured;
+  const Cycles taken = named(record->cycles);
+  if (model.empty() || !is_predicted(request)) {
+    add(measured, cycle_figures("rtl", taken));
+  } else {
+    Measurement confirmed = confirmation(model, taken, record->compare, bound_of(request));
+    add(measured, confirmed.figures);
+    measured.labels.merge(confirmed.labels);
+  }
   return measured;
 }
 
@@ -156,7 +175,7 @@ Result<Measurement> SharedScene::confirm(const Task& task) {
     const auto record = run(request);
     if (!record) return tl::make_unexpected(record.error());
     if (record->predicted_cycles.empty()) return Measurement{};  // nothing to confirm
-    return confirmation(record->predicted_cycles, named(record->cycles), record->compare);
+    return confirmation(record->predicted_cycles, named(record->cycles), record->compare, bound_of(request));
   }
   const auto shared = slb();
   if (!shared) return tl::make_unexpected(shared.error());
@@ -165,7 +184,7 @@ Result<Measurement> SharedScene::confirm(const Task& task) {
   if (point->answers.counters.cycles.empty()) return Measurement{};
   const auto rtl = pipeline::run_work(request, *point);
   if (!rtl) return tl::make_unexpected(rtl.error());
-  return confirmation(point->answers.counters.cycles, named(rtl->cycles), rtl->compare);
+  return confirmation(point->answers.counters.cycles, named(rtl->cycles), rtl->compare, bound_of(request));
 }
 
 }  // namespace gnomon::sweep

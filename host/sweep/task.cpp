@@ -12,6 +12,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "host/sweep/key.hpp"
+
 namespace gnomon::sweep {
 namespace {
 
@@ -82,6 +84,8 @@ Row row_of(const Task& task) {
   row.scene = task.scene.filename().string();
   row.configuration = configuration_json(task.point.settings);
   row.flags = fmt::format("{} {}", task.scene.string(), fmt::join(task.point.settings.as_flags(), " "));
+  for (const std::string_view key : given_defaults(task.point.settings))
+    row.flags += fmt::format(" --set {}={}", key, config::to_text(task.point.settings.entry(key).value));
   row.finished = now();
   return row;
 }

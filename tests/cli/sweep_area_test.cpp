@@ -59,6 +59,8 @@ TEST_F(SweepTest, TheSystemEngineIsTheSystem) {
   EXPECT_GT(stored.at("compare.words"), 1000);
   EXPECT_EQ(stored.at("compare.differing"), 0);
   EXPECT_GT(stored.at("system.cycles"), stored.at("rtl.cycles"));
+  EXPECT_FALSE(stored.contains("confirm.cycle_error"))
+      << "the units behind another front end are not predicted";
   const test::Outcome golden = sweep("a");
   EXPECT_EQ(golden.status, 2);
   EXPECT_THAT(golden.err, HasSubstr("holds the results of another specification"));

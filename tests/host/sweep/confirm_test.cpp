@@ -14,6 +14,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
+Measurement confirmation(const Cycles& model, const Cycles& rtl, const report::CompareRecord& compare) {
+  return sweep::confirmation(model, rtl, compare, kChipBound);
+}
+
 const Cycles kModel{{"cycles.DRAW.BUSY", 900}, {"cycles.QUERY.BUSY", 100}, {"cycles.CLEAR.BUSY", 0}};
 
 report::CompareRecord compared(std::uint64_t words, std::uint64_t differing = 0) {
@@ -55,6 +59,16 @@ TEST(Confirmation, IsFlaggedBeyondTheBoundAlsoWherePassesCancel) {
   rtl["cycles.QUERY.BUSY"] = 80;
   EXPECT_THAT(label(confirmation(kModel, rtl, compared(1))),
               StartsWith("flagged: predicted cycles are off by 4"));
+}
+
+TEST(Confirmation, OfTheSystemAllowsForTheProcessor) {
+  Cycles rtl = kModel;
+  for (const auto& [more, flagged] : {std::pair{9, false}, {20, true}}) {
+    rtl["cycles.DRAW.BUSY"] = 900 + static_cast<std::uint64_t>(more);
+    EXPECT_TRUE(is_flagged(confirmation(kModel, rtl, compared(1))));
+    EXPECT_EQ(is_flagged(sweep::confirmation(kModel, rtl, compared(1), kSystemBound)), flagged);
+  }
+  EXPECT_FALSE(is_flagged({})) << "what has no hardware";
 }
 
 TEST(Confirmation, IsFlaggedWhereAPassIsMissingOrAWordDiffers) {

@@ -88,6 +88,23 @@ TEST(Page, HoldsThePointsAndLoadsNothing) {
   EXPECT_THAT(page, Not(HasSubstr("<link")));
 }
 
+/// Predicted cycles beside those taken, flagged points first.
+TEST(Page, ShowsWhereModelAndHardwareDisagree) {
+  std::vector<Row> two{point(3, 0.5), point(4, 0.4)};
+  for (Row& row : two) {
+    row.figures.insert({{"model.cycles", 1000}, {"rtl.cycles", 1000}, {"confirm.cycle_error", 0}});
+    row.labels["confirmed"] = "agrees";
+  }
+  two[1].figures["rtl.cycles"] = 1021;
+  two[1].figures["confirm.cycle_error"] = 0.0206;
+  two[1].labels["confirmed"] = "flagged: predicted cycles are off by 2.06 %, more than 1.0 %";
+  const std::string page = sweep_page("t", two);
+  const std::string flagged = R"(<tr class="flagged"><td>1000</td><td>1021</td><td>2.0600 %</td>)";
+  EXPECT_THAT(page, HasSubstr(flagged));
+  EXPECT_LT(page.find(flagged), page.find("<tr><td>1000</td><td>1000</td><td>0.0000 %</td>"));
+  EXPECT_THAT(csv_table(two), HasSubstr("confirm.cycle_error,errors"));
+}
+
 TEST(Page, NamesCannotEndItsScript) {
   std::vector<Row> one{point(3, 0.5)};
   one[0].scene = "</script><script>alert(1)";

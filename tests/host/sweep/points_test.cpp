@@ -8,6 +8,7 @@
 #include <set>
 
 #include "host/sweep/key.hpp"
+#include "host/sweep/task.hpp"
 #include "tests/host/scene/files.hpp"
 
 namespace gnomon::sweep {
@@ -95,6 +96,30 @@ TEST(Keys, TellPointsApartAndNothingElse) {
   EXPECT_NE(point_key("s", settings({}), "1"), point_key("s", settings({{"res", "64", "t"}}), "1"));
   EXPECT_NE(point_key("s", settings({}), "1"), point_key("s", settings({}), "2"));
   EXPECT_EQ(point_key("s", settings({}), "1").size(), 32U);
+}
+
+/// Of some parameters a default that is given is not the same as none; the command must say so too.
+TEST(Keys, KnowWhatWasGiven) {
+  const auto settings = [](std::vector<config::Assignment> assignments) {
+    const std::vector<std::vector<config::Assignment>> sources{std::move(assignments)};
+    return *config::Settings::resolve(sources);
+  };
+  const auto key = [&](std::vector<config::Assignment> assignments) {
+    return point_key("s", settings(std::move(assignments)), "1");
+  };
+  const std::string none = key({});
+  EXPECT_NE(key({{"memory_latency", "20", "t"}}), none) << "cycles of the system";
+  EXPECT_EQ(key({{"memory_latency", "20", "t"}}), key({{"cache_kib", "0", "t"}}));
+  EXPECT_EQ(key({{"cache_kib", "8", "t"}}), key({{"cache_kib", "8", "t"}, {"memory_latency", "20", "t"}}));
+  EXPECT_EQ(key({{"plane", "0", "t"}, {"pitch", "1.4", "t"}}), none);
+  const config::Assignment mode{"technique", "voxel-topology", "t"};
+  EXPECT_NE(key({mode, {"pitch", "1.4", "t"}}), key({mode}));
+  const std::string light = config::to_text(settings({}).entry("light").value);
+  EXPECT_NE(key({{"light", light, "t"}}), none) << "it replaces the scene's own";
+  Task task;
+  task.scene = "cup.toml";
+  task.point.settings = settings({{"cache_kib", "0", "t"}, {"light", light, "t"}});
+  EXPECT_EQ(row_of(task).flags, "cup.toml  --set light=" + light + " --set cache_kib=0");
 }
 
 TEST(Keys, ScenesAreKnownByContent) {

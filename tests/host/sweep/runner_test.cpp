@@ -109,6 +109,18 @@ TEST_F(RunnerTest, WhatTheHardwareAnswersOtherwiseIsFlagged) {
   EXPECT_EQ(row("55").figures.at("confirm.differing"), 0);
 }
 
+TEST_F(RunnerTest, AMeasurementOnTheHardwareStandsBesideThePrediction) {
+  options_.task.engine = pipeline::EngineKind::Rtl;
+  options_.task.make_rtl = pipeline::stand_in();  // which has no cycles of DRAW
+  const RunnerCounts counts = run_tasks({task(5, 5)}, store_, options_);
+  EXPECT_EQ(counts.done, 1U);
+  EXPECT_EQ(counts.flagged, 1U);
+  EXPECT_GT(row("55").figures.at("model.cycles.DRAW"), 0);
+  EXPECT_GT(row("55").figures.at("confirm.cycle_error"), 0.001);
+  EXPECT_GT(row("55").figures.at("confirm.words"), 100);
+  EXPECT_THAT(row("55").labels.at(std::string(kConfirmLabel)), HasSubstr("predicted cycles are off"));
+}
+
 TEST_F(RunnerTest, ASceneThatCannotBeLoadedFailsItsPoints) {
   options_.task.load = [](const std::filesystem::path&, const config::Settings&) -> Result<scene::Scene> {
     return fail("cube.obj:1: error: no cube");
