@@ -73,6 +73,7 @@ TEST(Points, SceneFilesParametersAreWeaker) {
 TEST(Points, TooManyAreRefused) {
   Spec spec = widths();
   std::vector<std::string> many;
+  many.reserve(4000);
   for (int i = 0; i < 4000; ++i) many.push_back(std::to_string(i));
   spec.axes = {{"seed", many}, {"threads", many}};
   const auto points = expand(spec, kNoParameters);
