@@ -20,7 +20,7 @@ void CycleModel::begin_lists() {
     if (command_.op != static_cast<std::uint8_t>(topology::TopologyOp::PutQuads))
       walk_.emplace(config_, timing_, now_, cached);
     else if (cached)
-      cached_put_.emplace(config_, timing_);
+      cached_put_.emplace(config_);
     else
       put_.emplace(config_, timing_);
   }

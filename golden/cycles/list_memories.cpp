@@ -13,6 +13,7 @@ namespace {
 constexpr int kHeadPlaceLog2 = 3;   // entries a line, as a logarithm
 constexpr int kLeastLinesLog2 = 3;  // of nodes and records
 constexpr std::size_t kPlacedStages = 4, kPerspectiveStages = 8, kQueue = 8;
+constexpr std::size_t kNodesOnTheirWay = 64;  // entries linked whose node is not written yet
 constexpr Cycle kNodeStages = 2;  // from the service of a head's update until its node can be written
 
 /// Entries a line, as a logarithm, of so many bits each; none is smaller than 64.
@@ -63,9 +64,8 @@ bool ListMemories::idle(Cycle now) const {
           ports_->cache(CachedMemory::Records).idle(now));
 }
 
-CachedPutClock::CachedPutClock(const HardwareConfig& config, const HardwareTiming& timing)
+CachedPutClock::CachedPutClock(const HardwareConfig& config)
     : most_nodes_(std::uint32_t{1} << config.nodes_log2),
-      node_places_(std::bit_ceil(static_cast<std::size_t>(timing.memory_latency) + 4)),
       front_(kPlacedStages + (config.en_perspective ? kPerspectiveStages : 0)) {}
 
 bool CachedPutClock::cycle(bool corner, Cycle now, const ListMemories& memories, std::uint32_t& nodes,
@@ -106,7 +106,7 @@ bool CachedPutClock::cycle(bool corner, Cycle now, const ListMemories& memories,
 
 /// There is room for the node of the first quad's next entry, or none comes.
 bool CachedPutClock::node_room(std::uint32_t nodes) const {
-  return !queue_.front().storable || nodes == most_nodes_ || nodes_under_way_ < node_places_;
+  return !queue_.front().storable || nodes == most_nodes_ || nodes_under_way_ < kNodesOnTheirWay;
 }
 
 /// The first quad to its next entry.

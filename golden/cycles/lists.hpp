@@ -82,7 +82,7 @@ class ListMemories {
 /// PUT_QUADS with lists behind caches: heads are changed, then their nodes written; records beside them.
 class CachedPutClock {
  public:
-  CachedPutClock(const HardwareConfig& config, const HardwareTiming& timing);
+  explicit CachedPutClock(const HardwareConfig& config);
 
   void expect(const topology::ListWork::Quad& quad) { expected_.push_back(quad); }
   /// One cycle; `corner`: one is offered; `nodes`: in use, and counted on. Returns whether it is taken.
@@ -98,7 +98,6 @@ class CachedPutClock {
   void serve(Cycle now, const ListMemories& memories);
 
   std::uint32_t most_nodes_;
-  std::size_t node_places_;
   FrontEnd front_;
   std::deque<Quad> expected_;  ///< quads whose corners are still on their way
   int corners_ = 0;

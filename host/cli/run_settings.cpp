@@ -39,6 +39,7 @@ pipeline::RunSettings run_settings(const config::Settings& settings) {
   run.vpu = vpu_settings(settings);
   run.topology = topology_settings(settings, run.vpu);
   run.slb = slb_settings(settings);
+  run.order = settings.word("order") == "tile" ? plan::ItemOrder::Tile : plan::ItemOrder::Surface;
   run.maps.memory = settings.word("map_memory");
   run.maps.side = static_cast<int>(settings.integer("map_side"));
   run.maps.kernel = static_cast<int>(settings.integer("pcf_kernel"));

@@ -103,6 +103,8 @@ std::vector<Parameter> make_parameters() {
       integer("nodes_log2", 0, 0, 24, "", "voxel-topology: log2 of the node pool; 0: as the scene needs"),
       integer("quads_log2", 0, 0, 24, "",
               "voxel-topology: log2 of the room for quads; 0: as the scene needs"),
+      choice("order", {"surface", "tile"},
+             "of what is sent: as the surface is walked, or by tiles of the light's plane"),
       choice("map_memory", {"slb", "voxel-offset", "voxel-topology"},
              "plain-map, pcf: the hardware technique whose memory the map fills"),
       integer("map_side", 0, 0, 16384, "texels", "plain-map, pcf: side of the map; 0: as map_memory says"),

@@ -56,6 +56,7 @@ struct RunSettings {
   plan::VpuSettings vpu;
   plan::TopologySettings topology;
   plan::SlbSettings slb;
+  plan::ItemOrder order = plan::ItemOrder::Surface;  ///< of voxels, quads and points in the stream
   MapSettings maps;
   double ray_sag = 1.0 / 512;  ///< voxels: of raycast's own tessellation
   bool frame_buffer = false;   ///< states are kept by the hardware and looked up (docs/frame-buffer.md)

@@ -43,7 +43,7 @@ class Measurement {
     auto drawing = shared_.drawing(plan_);
     if (!drawing) return tl::make_unexpected(drawing.error());
     drawing_ = std::move(*drawing);
-    questions_ = shared_.questions(plan_, *drawing_);
+    questions_ = shared_.questions(plan_, *drawing_, request_.settings.order);
     golden::StreamWriter writer(plan_.config);
     plan::draw_casters(writer, plan_, drawing_->outlines, drawing_->sheets);
     work_ = writer.take();
@@ -70,12 +70,15 @@ class Measurement {
   Result<void> decode() {
     const auto of_voxels = query_answers(answers_.results, shared_.voxels().size());
     if (!of_voxels) return tl::make_unexpected(of_voxels.error());
+    const std::vector<std::uint32_t>& places = questions_->places;
     std::size_t next = 0;
     std::vector<VoxelState> by_view;
-    for (const Receiver& r : shared_.voxels()) {
+    for (std::size_t i = 0; i < shared_.voxels().size(); ++i) {
+      const Receiver& r = shared_.voxels()[places.empty() ? i : places[i]];
       const bool shadow = !r.faces_light() || of_voxels->at(next++).shadow;
       by_view.push_back(shadow ? VoxelState::Shadow : VoxelState::Lit);
     }
+    by_view = plan::put_back(std::move(by_view), places);
     states_ = light_states(shared_.scene(), light_, {{by_view}});
     const auto of_samples = query_answers(sample_results_, drawing_->near.size());
     if (!of_samples) return tl::make_unexpected(of_samples.error());

@@ -127,19 +127,21 @@ Result<void> SlbShared::answer_far(const plan::SlbPlan& plan, const SlbTouched& 
   return {};
 }
 
-std::shared_ptr<const SlbQuestions> SlbShared::questions(const plan::SlbPlan& plan,
-                                                         const SlbDrawing& drawing) {
+std::shared_ptr<const SlbQuestions> SlbShared::questions(const plan::SlbPlan& plan, const SlbDrawing& drawing,
+                                                         plan::ItemOrder order) {
   const std::scoped_lock lock(question_mutex_);
   Key key = key_of(plan);
-  key.back() = plan.config.query_bits;
+  key.back() = 2 * plan.config.query_bits + static_cast<int>(order);
   if (const auto found = questions_.made.find(key); found != questions_.made.end()) return found->second;
-  const auto commands = [&](std::span<const Receiver> receivers) {
+  const auto commands = [&](std::span<const Receiver> receivers, std::span<const std::uint32_t> places) {
     golden::StreamWriter writer(plan.config);
-    plan::ask_receivers(writer, plan, receivers);
+    plan::ask_receivers(writer, plan, receivers, places);
     return writer.take();
   };
+  std::vector<std::uint32_t> places = plan::asking_order(plan, voxels_, order);
+  auto of_voxels = commands(voxels_, places);
   auto made = std::make_shared<const SlbQuestions>(
-      SlbQuestions{commands(voxels_), commands(selected(samples_, drawing.near))});
+      SlbQuestions{std::move(of_voxels), std::move(places), commands(selected(samples_, drawing.near), {})});
   keep(questions_, key, made);
   return made;
 }

@@ -17,6 +17,7 @@
 #include "host/outline/outline.hpp"
 #include "host/pipeline/lit_scene.hpp"
 #include "host/pipeline/slb_touched.hpp"
+#include "host/plan/item_order.hpp"
 #include "host/plan/slb_plan.hpp"
 #include "host/report/run_record.hpp"
 
@@ -34,6 +35,7 @@ struct SlbDrawing {
 /// Commands that ask, once all is drawn.
 struct SlbQuestions {
   std::vector<golden::Word> voxels;   ///< about all voxels that face the light
+  std::vector<std::uint32_t> places;  ///< ... in which order (plan::asking_order)
   std::vector<golden::Word> samples;  ///< about the drawing's near samples
 };
 
@@ -58,7 +60,8 @@ class SlbShared {
 
   /// For `plan`; made for the first who asks. The last kDrawings are kept.
   Result<std::shared_ptr<const SlbDrawing>> drawing(const plan::SlbPlan& plan);
-  std::shared_ptr<const SlbQuestions> questions(const plan::SlbPlan& plan, const SlbDrawing& drawing);
+  std::shared_ptr<const SlbQuestions> questions(const plan::SlbPlan& plan, const SlbDrawing& drawing,
+                                                plan::ItemOrder order);
   /// A plain shadow map over the plane, `finer` times as fine a side, as errors_record wants it.
   report::ShadowMapRecord shadow_map(const plan::SlbPlan& plan, int finer,
                                      const metrics::ErrorOptions& options);
@@ -70,7 +73,7 @@ class SlbShared {
   Result<SlbDrawing> draw(const plan::SlbPlan& plan) const;
   Result<void> answer_far(const plan::SlbPlan& plan, const SlbTouched& touched, SlbDrawing& drawing) const;
 
-  /// What outlines and answers depend on: plane, depth bits, F; questions: on query bits besides.
+  /// What outlines and answers depend on: plane, depth bits, F; questions: on query bits and order besides.
   using Key = std::array<int, 4>;
   template <class T>
   struct Kept {

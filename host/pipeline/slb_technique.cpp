@@ -50,9 +50,13 @@ std::vector<golden::slb::Entry> entries_of(std::span<const golden::Word> results
 
 class SlbTechnique final : public Technique {
  public:
-  SlbTechnique(const TechniqueInput& input, plan::SlbPlan slb, std::optional<plan::VpuPlan> vpu)
-      : input_(input), slb_(std::move(slb)), vpu_(std::move(vpu)), config_(slb_.config) {
-    if (vpu_) config_ = joined(vpu_->config, slb_.config);
+  SlbTechnique(const TechniqueInput& input, plan::SlbPlan slb, std::optional<plan::VpuPlan> vpu,
+               plan::ItemOrder order)
+      : input_(input), slb_(std::move(slb)), vpu_(std::move(vpu)), config_(slb_.config), order_(order) {
+    if (!vpu_) return;
+    config_ = joined(vpu_->config, slb_.config);
+    if (order == plan::ItemOrder::Tile)
+      sent_ = plan::sent_by_tile(vpu_->projection, input.voxels, input.seen, plan::Objects::Apart);
   }
 
   const golden::HardwareConfig& config() const override { return config_; }
@@ -64,7 +68,7 @@ class SlbTechnique final : public Technique {
                      std::span<const Receiver> points) override;
   Result<Answers> decode(std::span<const golden::Word> results) const override;
   void ask(golden::StreamWriter& writer, std::span<const Receiver> points) const override {
-    plan::ask_receivers(writer, slb_, points);
+    plan::ask_receivers(writer, slb_, points, plan::asking_order(slb_, points, order_));
   }
   Result<std::vector<std::uint8_t>> answers(std::span<const golden::Word> results,
                                             std::span<const Receiver> points,
@@ -87,6 +91,7 @@ class SlbTechnique final : public Technique {
   Result<std::vector<VoxelState>> states_of_voxels(std::span<const golden::Word> results) const;
   Result<std::vector<std::uint8_t>> shadowed(std::span<const golden::Word> results,
                                              std::span<const Receiver> receivers,
+                                             std::span<const std::uint32_t> places,
                                              std::span<const VoxelState> states, std::size_t voxels) const;
   VoxelState state_near(const metrics::VoxelIndex& index, std::span<const VoxelState> states,
                         const Vec3& point) const;
@@ -95,7 +100,10 @@ class SlbTechnique final : public Technique {
   plan::SlbPlan slb_;
   std::optional<plan::VpuPlan> vpu_;
   golden::HardwareConfig config_;
-  std::vector<Receiver> receivers_;  ///< the voxels' representatives, then the points
+  plan::ItemOrder order_;
+  std::optional<plan::SentVoxels> sent_;  ///< to the projection unit; nothing where in their own order
+  std::vector<Receiver> receivers_;       ///< the voxels' representatives, then the points
+  std::vector<std::uint32_t> places_;     ///< in which order they are asked about
 };
 
 Result<void> SlbTechnique::draw(golden::StreamWriter& writer) const {
@@ -119,11 +127,14 @@ Result<void> SlbTechnique::draw(golden::StreamWriter& writer) const {
 
 Result<void> SlbTechnique::write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
                                  std::span<const Receiver> points) {
-  if (vpu_) plan::write_vpu(writer, hardware, *vpu_, input_.voxels, input_.seen, input_.roles.two_sided);
+  if (vpu_)
+    plan::write_vpu(writer, hardware, *vpu_, input_.voxels, sent_ ? sent_->voxels : input_.seen,
+                    input_.roles.two_sided);
   receivers_ = voxel_receivers(input_.surfaces, input_.voxels, input_.roles, input_.view, input_.seen);
   receivers_.insert(receivers_.end(), points.begin(), points.end());
   if (auto done = draw(writer); !done) return fail(done.error().message);
-  plan::ask_receivers(writer, slb_, receivers_);
+  places_ = plan::asking_order(slb_, receivers_, order_);
+  plan::ask_receivers(writer, slb_, receivers_, places_);
   if (is_dumped()) writer.read_entries(0, pixels());
   return {};
 }
@@ -136,6 +147,7 @@ Result<std::vector<VoxelState>> SlbTechnique::states_of_voxels(std::span<const g
   std::vector<VoxelState> states;
   states.reserve(voxels->size());
   for (const golden::VoxelResult& result : *voxels) states.push_back(result.state);
+  if (sent_) states = plan::put_back(std::move(states), sent_->places);
   return states;
 }
 
@@ -149,10 +161,11 @@ VoxelState SlbTechnique::state_near(const metrics::VoxelIndex& index, std::span<
   return states[static_cast<std::size_t>(found - asked.begin())];
 }
 
-/// 1 for shadow, one a receiver; the first `voxels` of them are the voxels asked about, which `states`
-/// belongs to.
+/// 1 for shadow, one a receiver; they were asked about in the order of `places`. The first `voxels` of them
+/// are the voxels asked about, which `states` belongs to.
 Result<std::vector<std::uint8_t>> SlbTechnique::shadowed(std::span<const golden::Word> results,
                                                          std::span<const Receiver> receivers,
+                                                         std::span<const std::uint32_t> places,
                                                          std::span<const VoxelState> states,
                                                          std::size_t voxels) const {
   const auto answers = query_answers(results, receivers.size());
@@ -160,7 +173,8 @@ Result<std::vector<std::uint8_t>> SlbTechnique::shadowed(std::span<const golden:
   const metrics::VoxelIndex index(input_.voxels);
   std::vector<std::uint8_t> shadowed(receivers.size(), 1);
   std::size_t next = 0;
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
+  for (std::size_t asked = 0; asked < receivers.size(); ++asked) {
+    const std::size_t i = places.empty() ? asked : places[asked];
     const Receiver& r = receivers[i];
     if (!r.faces_light()) continue;
     if (next == answers->size()) return fail("the hardware answered fewer queries than it was asked");
@@ -178,7 +192,7 @@ Result<Answers> SlbTechnique::decode(std::span<const golden::Word> results) cons
   const auto states = states_of_voxels(results);
   if (!states) return fail(states.error().message);
   const std::size_t voxels = input_.seen.receivers.size();
-  const auto answered = shadowed(results, receivers_, *states, voxels);
+  const auto answered = shadowed(results, receivers_, places_, *states, voxels);
   if (!answered) return fail(answered.error().message);
   Answers all;
   const auto first_point = answered->begin() + static_cast<std::ptrdiff_t>(voxels);
@@ -193,7 +207,7 @@ Result<std::vector<std::uint8_t>> SlbTechnique::answers(std::span<const golden::
                                                         std::span<const golden::Word> run) const {
   const auto states = states_of_voxels(run);
   if (!states) return fail(states.error().message);
-  return shadowed(results, points, *states, 0);
+  return shadowed(results, points, plan::asking_order(slb_, points, order_), *states, 0);
 }
 
 void SlbTechnique::describe(const PartAnswers& golden, std::span<const golden::Word> results,
@@ -224,7 +238,7 @@ std::optional<render::Image> SlbTechnique::memory_picture(std::span<const golden
 Result<std::unique_ptr<Technique>> make_slb(const RunSettings& settings, const TechniqueInput& input) {
   auto slb = plan::plan_slb(input.voxels, input.roles.casts, input.view.axes.away, settings.slb);
   if (!slb) return fail(slb.error().message);
-  return std::make_unique<SlbTechnique>(input, std::move(*slb), std::nullopt);
+  return std::make_unique<SlbTechnique>(input, std::move(*slb), std::nullopt, settings.order);
 }
 
 Result<std::unique_ptr<Technique>> make_slb_with_voxels(const RunSettings& settings,
@@ -235,7 +249,7 @@ Result<std::unique_ptr<Technique>> make_slb_with_voxels(const RunSettings& setti
   vpu_settings.plane_log2 = 0;  // `plane` is the SLB's here
   auto vpu = plan::plan_vpu(input.voxels, input.view, input.seen, vpu_settings);
   if (!vpu) return fail(vpu.error().message);
-  return std::make_unique<SlbTechnique>(input, std::move(*slb), std::move(*vpu));
+  return std::make_unique<SlbTechnique>(input, std::move(*slb), std::move(*vpu), settings.order);
 }
 
 }  // namespace gnomon::pipeline

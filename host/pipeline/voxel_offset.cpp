@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/pipeline/records.hpp"
+#include "host/plan/item_order.hpp"
 #include "host/plan/vpu_plan.hpp"
 
 namespace gnomon::pipeline {
@@ -12,7 +13,11 @@ namespace {
 
 class VoxelOffset final : public Technique {
  public:
-  VoxelOffset(const TechniqueInput& input, plan::VpuPlan plan) : input_(input), plan_(std::move(plan)) {}
+  VoxelOffset(const TechniqueInput& input, plan::VpuPlan plan, plan::ItemOrder order)
+      : input_(input), plan_(std::move(plan)) {
+    if (order == plan::ItemOrder::Tile)
+      sent_ = plan::sent_by_tile(plan_.projection, input.voxels, input.seen, plan::Objects::Apart);
+  }
 
   const golden::HardwareConfig& config() const override { return plan_.config; }
   bool answers_points() const override { return false; }
@@ -21,7 +26,8 @@ class VoxelOffset final : public Technique {
 
   Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
                      std::span<const Receiver>) override {
-    plan::write_vpu(writer, hardware, plan_, input_.voxels, input_.seen, input_.roles.two_sided);
+    plan::write_vpu(writer, hardware, plan_, input_.voxels, sent_ ? sent_->voxels : input_.seen,
+                    input_.roles.two_sided);
     return {};
   }
 
@@ -31,6 +37,7 @@ class VoxelOffset final : public Technique {
     Answers answers;
     answers.voxels.reserve(voxels->size());
     for (const golden::VoxelResult& result : *voxels) answers.voxels.push_back(result.state);
+    if (sent_) answers.voxels = plan::put_back(answers.voxels, sent_->places);
     return answers;
   }
 
@@ -47,6 +54,7 @@ class VoxelOffset final : public Technique {
  private:
   TechniqueInput input_;
   plan::VpuPlan plan_;
+  std::optional<plan::SentVoxels> sent_;  ///< nothing where they are sent in their own order
 };
 
 }  // namespace
@@ -55,7 +63,7 @@ Result<std::unique_ptr<Technique>> make_voxel_offset(const RunSettings& settings
                                                      const TechniqueInput& input) {
   auto plan = plan::plan_vpu(input.voxels, input.view, input.seen, settings.vpu);
   if (!plan) return fail(plan.error().message);
-  return std::make_unique<VoxelOffset>(input, std::move(*plan));
+  return std::make_unique<VoxelOffset>(input, std::move(*plan), settings.order);
 }
 
 }  // namespace gnomon::pipeline

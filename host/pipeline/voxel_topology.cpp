@@ -19,6 +19,8 @@ class VoxelTopology final : public Technique {
   VoxelTopology(const TechniqueInput& input, plan::TopologyPlan plan)
       : input_(input), plan_(std::move(plan)), config_(plan_.vpu.config) {
     config_.en_vpu_offset = false;
+    if (plan_.settings.order == plan::ItemOrder::Tile)
+      sent_ = plan::sent_by_tile(plan_.vpu.projection, input.voxels, input.seen, plan::Objects::Together);
   }
 
   const golden::HardwareConfig& config() const override { return config_; }
@@ -28,8 +30,8 @@ class VoxelTopology final : public Technique {
 
   Result<void> write(golden::StreamWriter& writer, const golden::HardwareConfig& hardware,
                      std::span<const Receiver>) override {
-    plan::write_topology(writer, hardware, plan_, input_.voxels, input_.seen.receivers,
-                         input_.roles.two_sided);
+    plan::write_topology(writer, hardware, plan_, input_.voxels,
+                         sent_ ? sent_->voxels.receivers : input_.seen.receivers, input_.roles.two_sided);
     return {};
   }
 
@@ -40,6 +42,7 @@ class VoxelTopology final : public Technique {
     answers.voxels.reserve(voxels->size());
     for (const golden::topology::TopologyResult& result : *voxels)
       answers.voxels.push_back(result.shadow ? VoxelState::Shadow : VoxelState::Lit);
+    if (sent_) answers.voxels = plan::put_back(answers.voxels, sent_->places);
     return answers;
   }
 
@@ -56,6 +59,7 @@ class VoxelTopology final : public Technique {
   TechniqueInput input_;
   plan::TopologyPlan plan_;
   golden::HardwareConfig config_;
+  std::optional<plan::SentVoxels> sent_;  ///< nothing where they are sent in their own order
 };
 
 void VoxelTopology::describe(const PartAnswers&, std::span<const golden::Word>,
@@ -74,8 +78,9 @@ void VoxelTopology::describe(const PartAnswers&, std::span<const golden::Word>,
 
 Result<std::unique_ptr<Technique>> make_voxel_topology(const RunSettings& settings,
                                                        const TechniqueInput& input) {
-  auto plan =
-      plan::plan_topology(input.voxels, input.quads.casting(), input.view, input.seen, settings.topology);
+  plan::TopologySettings topology = settings.topology;
+  topology.order = settings.order;
+  auto plan = plan::plan_topology(input.voxels, input.quads.casting(), input.view, input.seen, topology);
   if (!plan) return fail(plan.error().message);
   return std::make_unique<VoxelTopology>(input, std::move(*plan));
 }

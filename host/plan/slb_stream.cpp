@@ -164,9 +164,20 @@ void draw_casters(golden::StreamWriter& writer, const SlbPlan& plan,
   }
 }
 
-void ask_receivers(golden::StreamWriter& writer, const SlbPlan& plan, std::span<const Receiver> receivers) {
+std::vector<std::uint32_t> asking_order(const SlbPlan& plan, std::span<const Receiver> receivers,
+                                        ItemOrder order) {
+  if (order == ItemOrder::Surface) return {};
+  std::vector<std::uint32_t> tiles(receivers.size());
+  std::ranges::transform(receivers, tiles.begin(),
+                         [&](const Receiver& r) { return tile_of(plan.plane.pixel(Vec3(r.x, r.y, r.z))); });
+  return by_tile(tiles);
+}
+
+void ask_receivers(golden::StreamWriter& writer, const SlbPlan& plan, std::span<const Receiver> receivers,
+                   std::span<const std::uint32_t> places) {
   std::vector<golden::slb::QueryPoint> points;
-  for (const Receiver& receiver : receivers) {
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const Receiver& receiver = receivers[places.empty() ? i : places[i]];
     if (receiver.faces_light()) points.push_back(query_point(plan, receiver));
   }
   writer.query(points, static_cast<std::uint32_t>(std::ceil(kReceiverBias * plan.codes_per_voxel)));

@@ -8,6 +8,7 @@
 
 #include "host/base/receiver.hpp"
 #include "host/outline/outline.hpp"
+#include "host/plan/item_order.hpp"
 #include "host/plan/slb_plan.hpp"
 #include "host/surface/limit_surface.hpp"
 #include "host/voxel/voxel_set.hpp"
@@ -35,7 +36,11 @@ void draw_casters(golden::StreamWriter& writer, const SlbPlan& plan,
                   std::span<const outline::ObjectOutline> outlines,
                   std::span<const std::vector<golden::slb::CoverSample>> sheets);
 
-/// One query for each receiver that faces the light.
-void ask_receivers(golden::StreamWriter& writer, const SlbPlan& plan, std::span<const Receiver> receivers);
+/// The order in which receivers are to be asked about: receivers[places[i]] comes i-th. Empty for their own.
+std::vector<std::uint32_t> asking_order(const SlbPlan& plan, std::span<const Receiver> receivers,
+                                        ItemOrder order);
+/// One query for each receiver that faces the light; `places` as above.
+void ask_receivers(golden::StreamWriter& writer, const SlbPlan& plan, std::span<const Receiver> receivers,
+                   std::span<const std::uint32_t> places = {});
 
 }  // namespace gnomon::plan

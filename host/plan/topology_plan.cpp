@@ -16,6 +16,7 @@
 #include <optional>
 #include <utility>
 
+#include "host/plan/quad_order.hpp"
 #include "host/plan/representative.hpp"
 
 namespace gnomon::plan {
@@ -170,6 +171,24 @@ std::uint64_t count_nodes(TopologyPlan& plan, std::span<const Landing> corners) 
   return nodes;
 }
 
+/// So that the plane is visited near by near, and every list stays as it is.
+void order_by_place(TopologyPlan& plan, std::span<const Landing> corners) {
+  const golden::HardwareConfig& config = plan.vpu.config;
+  const std::int64_t side = config.plane_side();
+  std::vector<LinkedBox> boxes(plan.quads.size());
+  std::ranges::transform(plan.quads, boxes.begin(), [&](const voxel::VoxelQuad& quad) {
+    const auto box = box_of(quad, corners, config.sub_bits, side - 1);
+    if (!box || box->span > std::int64_t{1} << config.span_log2) return LinkedBox{};
+    const auto entries = [](std::int64_t count) { return static_cast<std::uint32_t>(count); };
+    return LinkedBox{entries(box->low[0]), entries(box->low[1]), entries(box->high[0] - box->low[0] + 1),
+                     entries(box->high[1] - box->low[1] + 1)};
+  });
+  std::vector<voxel::VoxelQuad> ordered(plan.quads.size());
+  std::ranges::transform(depth_first(boxes, static_cast<std::uint32_t>(side)), ordered.begin(),
+                         [&](std::uint32_t i) { return plan.quads[i]; });
+  plan.quads = std::move(ordered);
+}
+
 /// Whether the plane sees an area of it: edge-on to the light no beam meets it (docs/vpu-topology.md,
 /// "Casters"). Of what the unit drops or flags by itself nothing is decided here.
 bool has_area(const voxel::VoxelQuad& quad, std::span<const Landing> corners, const Box& box, int span_log2) {
@@ -257,6 +276,7 @@ Result<TopologyPlan> plan_topology(const voxel::VoxelSet& voxels, std::span<cons
   config.span_log2 = span_for(plan, corners);
   plan.edge_on = drop_edge_on(plan, corners);
   if (settings.sorted) sort_by_far(plan.quads, corners);
+  if (settings.order == ItemOrder::Tile) order_by_place(plan, corners);
   const std::uint64_t nodes = count_nodes(plan, corners);
   const double coarser_pitch = plan.vpu.settings.pitch * kCoarser;
   if (settings.nodes_log2 == 0 && log2_at_least(nodes) > settings.most_nodes_log2 &&

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/plan/item_order.hpp"
 #include "host/plan/vpu_plan.hpp"
 #include "host/voxel/subpatches.hpp"
 
@@ -15,13 +16,14 @@ namespace gnomon::plan {
 
 /// What the user may choose about topology mode; the rest follows from the scene.
 struct TopologySettings {
-  double pitch = 1;          ///< voxels per plane entry
-  double lift = -1;          ///< voxels that a beam starts above its voxel, along N; -1: as the bits ask for
-  double clearance = -1;     ///< voxels that a caster must be nearer; -1: as the bits ask for
-  bool sorted = true;        ///< send the nearest quads last, so that lists begin with them
-  int plane_log2 = 0;        ///< log2 of the plane's side; 0: the smallest that holds the scene
-  int voxel_frac_bits = -1;  ///< -1: as many as the voxel word leaves, at most 4
-  int normal_bits = 0;       ///< 0: as many as the voxel word leaves, at most 9
+  double pitch = 1;       ///< voxels per plane entry
+  double lift = -1;       ///< voxels that a beam starts above its voxel, along N; -1: as the bits ask for
+  double clearance = -1;  ///< voxels that a caster must be nearer; -1: as the bits ask for
+  bool sorted = true;     ///< send the nearest quads last, so that lists begin with them
+  ItemOrder order = ItemOrder::Surface;  ///< of quads; every list is the same in both
+  int plane_log2 = 0;                    ///< log2 of the plane's side; 0: the smallest that holds the scene
+  int voxel_frac_bits = -1;              ///< -1: as many as the voxel word leaves, at most 4
+  int normal_bits = 0;                   ///< 0: as many as the voxel word leaves, at most 9
   int matrix_frac_bits = 22;
   int depth_bits = 20;
   int sub_bits = 4;

@@ -18,7 +18,7 @@ namespace gnomon::sweep {
 namespace {
 
 /// What is not named here is taken for shared, so that a new parameter costs time at worst.
-constexpr std::array<std::string_view, 30> kOfTechnique{"technique",
+constexpr std::array<std::string_view, 31> kOfTechnique{"technique",
                                                         "plane",
                                                         "pitch",
                                                         "offset",
@@ -47,7 +47,8 @@ constexpr std::array<std::string_view, 30> kOfTechnique{"technique",
                                                         "map_memory",
                                                         "map_side",
                                                         "pcf_kernel",
-                                                        "ray_sag"};
+                                                        "ray_sag",
+                                                        "order"};
 
 std::string shared_signature(const Task& task) {
   std::string text = task.scene.string();

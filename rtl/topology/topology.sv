@@ -76,6 +76,8 @@ module topology #(
   localparam int unsigned RECORD     = topology_pkg::record_bits(SUB_BITS, SPAN_LOG2);
   // A walk's round takes 2 MEM_LATENCY + 8 cycles, or twice a memory's latency; the others wait until an older one is done.
   localparam int unsigned WALKS_LOG2 = (CACHE_LOG2 == 0) ? $clog2(2 * MEM_LATENCY + 48) : 8;
+  // A head comes back after MEM_LATENCY + 4 cycles; behind a cache as many are looked up ahead of one that is missed.
+  localparam int unsigned ROOM_LOG2  = (CACHE_LOG2 == 0) ? $clog2(MEM_LATENCY + 4) : 6;
   localparam int unsigned HEAD_TAG   = topology_pkg::head_tag_bits(EN_PERSPECTIVE, D, PLANE_LOG2 + SUB_BITS);
   localparam int unsigned NODE_TAG   = 2 * topology_pkg::COUNT_BITS + WALKS_LOG2;
   localparam int unsigned RECORD_TAG = NODE_TAG + 1 + NODES_LOG2 + QUADS_LOG2;
@@ -121,7 +123,7 @@ module topology #(
   assign corner_valid = valid_i && kind_i == gnomon_pkg::ITEM_CORNER;
   topology_put #(
     .DEPTH_BITS(D), .PLANE_LOG2(PLANE_LOG2), .SUB_BITS(SUB_BITS), .SPAN_LOG2(SPAN_LOG2), .NODES_LOG2(NODES_LOG2),
-    .QUADS_LOG2(QUADS_LOG2), .MEM_LATENCY(MEM_LATENCY)
+    .QUADS_LOG2(QUADS_LOG2), .ROOM_LOG2(ROOM_LOG2)
   ) u_put (
     .clk_i, .rst_ni, .clear_i(clear_start), .corner_valid_i(corner_valid), .corner_ready_o(corner_ready),
     .behind_i, .u_i(corner_u), .v_i(corner_v), .depth_i, .saturated_i, .update_valid_o(update_valid),

@@ -11,7 +11,7 @@ module topology_put #(
   parameter int unsigned SPAN_LOG2   = 4,
   parameter int unsigned NODES_LOG2  = 20,
   parameter int unsigned QUADS_LOG2  = 18,
-  parameter int unsigned MEM_LATENCY = 1,
+  parameter int unsigned ROOM_LOG2   = 3,   // nodes on their way to their memory, 2^n
   // Derived; not to be overridden.
   parameter int unsigned COORDINATE = PLANE_LOG2 + SUB_BITS + 2,
   parameter int unsigned HEAD   = topology_pkg::head_bits(DEPTH_BITS, NODES_LOG2),
@@ -77,7 +77,6 @@ module topology_put #(
   );
 
   // ---- Entries. Nodes on their way take no more room than there is: an update never waits once it is taken ----
-  localparam int unsigned ROOM_LOG2 = $clog2(MEM_LATENCY + 4);
   logic [ROOM_LOG2:0] nodes_q;  // linked entries whose node is not written yet
   logic               node_room, node_given;
   assign node_room  = !nodes_q[ROOM_LOG2];

@@ -130,6 +130,30 @@ TEST(Topology, OrderOfListsDoesNotChangeAState) {
   }
 }
 
+TEST(Topology, OrderOfQuadsChangesNothingButTheirNumbers) {
+  TopologySettings by_tile;
+  by_tile.order = ItemOrder::Tile;
+  std::uint64_t hits = 0;
+  for (const Vec3& light : kLights) {
+    const TopologyPlan given = plan_of(light), moved = plan_of(light, by_tile);
+    EXPECT_TRUE(std::ranges::is_permutation(given.quads, moved.quads));
+    EXPECT_NE(given.quads, moved.quads);
+    auto expected = run(given), found = run(moved);
+    EXPECT_EQ(found.events, expected.events) << "as many nodes are visited, as many quads tested";
+    ASSERT_EQ(found.results.size(), expected.results.size());
+    for (std::size_t i = 0; i < found.results.size(); ++i) {
+      TopologyResult &a = expected.results[i], &b = found.results[i];
+      if (a.hit && b.hit) {
+        EXPECT_EQ(given.quads[a.quad], moved.quads[b.quad]);
+        b.quad = a.quad;
+        ++hits;
+      }
+      EXPECT_EQ(a, b);
+    }
+  }
+  EXPECT_GT(hits, 500U);
+}
+
 TEST(Topology, HitsNameAQuadThatIsInFront) {
   const Vec3& light = kLights[1];
   const auto plan = plan_of(light);
